@@ -1,0 +1,65 @@
+// Copyright (c) 2026 The authors of Curvature_aware_simplification_3.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_FRAME_H
+#define CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_FRAME_H
+
+#include <CGAL/Curvature_aware_simplification_3/internal/Neighbor_search.h>
+
+#include <CGAL/Bbox_3.h>
+
+#include <cmath>
+
+namespace CGAL
+{
+namespace Curvature_aware_simplification_3
+{
+namespace internal
+{
+
+// The coordinate frame of the computation: the input's bounding box is centered at the origin and
+// its diagonal has a length in [0.5, 1). So squares neither overflow nor underflow for any unit,
+// and coordinates far from the origin, as in UTM, lose no digits in differences and products. The
+// scale is a power of two, hence exact.
+class Frame
+{
+public:
+  explicit Frame(const Bbox_3& box)
+      : m_center((box.xmin() / 2. + box.xmax() / 2.), (box.ymin() / 2. + box.ymax() / 2.),
+                 (box.zmin() / 2. + box.zmax() / 2.))
+  {
+    // std::hypot, and halves above: the plain formulas overflow for coordinates above 1e154
+    const double half_diagonal =
+        std::hypot(box.xmax() / 2. - box.xmin() / 2., box.ymax() / 2. - box.ymin() / 2.,
+                   box.zmax() / 2. - box.zmin() / 2.);
+    std::frexp(half_diagonal, &m_exponent); // half_diagonal in [2^(e-1), 2^e), or both are 0
+    m_exponent += 1;
+  }
+
+  Point to_frame(double x, double y, double z) const
+  {
+    return Point(length_to_frame(x - m_center.x()), length_to_frame(y - m_center.y()),
+                 length_to_frame(z - m_center.z()));
+  }
+
+  Point from_frame(const Point& p) const
+  {
+    return Point(m_center.x() + length_from_frame(p.x()), m_center.y() + length_from_frame(p.y()),
+                 m_center.z() + length_from_frame(p.z()));
+  }
+
+  double length_to_frame(double length) const { return std::ldexp(length, -m_exponent); }
+  double length_from_frame(double length) const { return std::ldexp(length, m_exponent); }
+
+private:
+  Point m_center;
+  int m_exponent;
+};
+
+} // namespace internal
+} // namespace Curvature_aware_simplification_3
+} // namespace CGAL
+
+#endif // CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_FRAME_H

@@ -1,0 +1,92 @@
+// Copyright (c) 2026 The authors of Curvature_aware_simplification_3.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_NEIGHBOR_SEARCH_H
+#define CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_NEIGHBOR_SEARCH_H
+
+#include <CGAL/Fuzzy_sphere.h>
+#include <CGAL/Kd_tree.h>
+#include <CGAL/Orthogonal_k_neighbor_search.h>
+#include <CGAL/Search_traits_3.h>
+#include <CGAL/Search_traits_adapter.h>
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/property_map.h>
+
+#include <boost/iterator/counting_iterator.hpp>
+#include <boost/iterator/function_output_iterator.hpp>
+
+#include <cstddef>
+#include <functional>
+#include <vector>
+
+namespace CGAL
+{
+namespace Curvature_aware_simplification_3
+{
+namespace internal
+{
+
+// All stages compute in double coordinates, whatever the kernel of the caller's points.
+using Computation_kernel = Simple_cartesian<double>;
+using Point = Computation_kernel::Point_3;
+using Vector = Computation_kernel::Vector_3;
+
+// The nearest points, and the points in a ball, of a vector of points that outlives the search and
+// is not changed meanwhile. Neighbors are handed to a functor and never stored.
+class Neighbor_search
+{
+public:
+  // O(n log n)
+  template <typename ConcurrencyTag>
+  Neighbor_search(const std::vector<Point>& points, const ConcurrencyTag&)
+      : m_points(points.data()),
+        m_tree(boost::counting_iterator<std::size_t>(0),
+               boost::counting_iterator<std::size_t>(points.size()), Splitter(),
+               Traits(Point_map(points.data())))
+  {
+    m_tree.template build<ConcurrencyTag>();
+  }
+
+  // function(index, point, squared distance) for the k nearest points, in no particular order.
+  // A point at the query itself counts as a neighbor.
+  template <typename Function>
+  void for_each_nearest(const Point& query, std::size_t k, const Function& function) const
+  {
+    const K_neighbor_search search(m_tree, query, static_cast<unsigned int>(k), 0., true,
+                                   Distance(m_tree.traits().point_property_map()), false);
+    for (const auto& neighbor : search)
+      function(neighbor.first, m_points[neighbor.first], neighbor.second);
+  }
+
+  // function(index, point, squared distance) for all points in the closed ball, in no particular order
+  template <typename Function>
+  void for_each_within(const Point& center, double radius, const Function& function) const
+  {
+    const auto visit = [&](std::size_t i)
+    { function(i, m_points[i], squared_distance(center, m_points[i])); };
+    // by reference, since CGAL assigns output iterators, and a lambda cannot be assigned
+    m_tree.search(boost::make_function_output_iterator(std::cref(visit)),
+                  Ball(center, radius, 0., m_tree.traits()));
+  }
+
+private:
+  using Point_map = Pointer_property_map<Point>::const_type;
+  using Base_traits = Search_traits_3<Computation_kernel>;
+  using Traits = Search_traits_adapter<std::size_t, Point_map, Base_traits>;
+  using Splitter = Sliding_midpoint<Traits>;
+  using Tree = Kd_tree<Traits, Splitter, Tag_true, Tag_true /* cache of coordinates */>;
+  using Distance = Distance_adapter<std::size_t, Point_map, Euclidean_distance<Base_traits>>;
+  using K_neighbor_search = Orthogonal_k_neighbor_search<Traits, Distance, Splitter, Tree>;
+  using Ball = Fuzzy_sphere<Traits>;
+
+  const Point* m_points;
+  Tree m_tree;
+};
+
+} // namespace internal
+} // namespace Curvature_aware_simplification_3
+} // namespace CGAL
+
+#endif // CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_NEIGHBOR_SEARCH_H

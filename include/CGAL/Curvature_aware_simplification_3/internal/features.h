@@ -1,0 +1,136 @@
+// Copyright (c) 2026 The authors of Curvature_aware_simplification_3.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_FEATURES_H
+#define CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_FEATURES_H
+
+#include <CGAL/Curvature_aware_simplification_3/internal/Cloud.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/Neighbor_search.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/loops.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <limits>
+#include <vector>
+
+namespace CGAL
+{
+namespace Curvature_aware_simplification_3
+{
+namespace internal
+{
+
+// What the selection and the weights know of a point (paper, sec. 4.1, step 1)
+struct Features
+{
+  std::vector<double> curvature;       // kappa: the surface variation, in [0, 1/3]
+  std::vector<double> inverse_density; // 1 / rho = r^2 / k, r the distance to the k-th neighbor
+};
+
+struct Local_features
+{
+  double curvature;
+  double inverse_density;
+};
+
+// Surface variation of a covariance matrix: lambda_0 / (lambda_0 + lambda_1 + lambda_2), with
+// lambda_0 the smallest eigenvalue (Pauly et al. 2002).
+//
+// What is below the rounding error of `coordinate_error` counts as 0. Otherwise a plane, whose
+// lambda_0 is nothing but rounding error, would be given features when kappa is rescaled.
+template <typename DiagonalizeTraits>
+double surface_variation(const std::array<double, 6>& covariance, double coordinate_error)
+{
+  typename DiagonalizeTraits::Covariance_matrix matrix{};
+  for (std::size_t i = 0; i < 6; ++i)
+    matrix[i] = covariance[i];
+  typename DiagonalizeTraits::Vector eigenvalues{};
+  DiagonalizeTraits::diagonalize_selfadjoint_covariance_matrix(matrix, eigenvalues);
+
+  const double trace = covariance[0] + covariance[3] + covariance[5];
+  // lambda_0 is exact to a few units in the last place of the trace, its rounding error in the
+  // input to the square of that of the coordinates.
+  const double rounding_error =
+      16. * std::numeric_limits<double>::epsilon() * trace + coordinate_error * coordinate_error;
+  if (!(eigenvalues[0] > rounding_error))
+    return 0.;
+  return (std::min)(eigenvalues[0] / trace, 1. / 3.);
+}
+
+// kappa and 1/rho at `query` from the `number_of_points` nearest points. When the query is itself a
+// point of the search, it is the first of them and not counted among the k neighbors.
+template <typename DiagonalizeTraits>
+Local_features local_features(const Neighbor_search& search, const Point& query,
+                              std::size_t number_of_points, double coordinate_error)
+{
+  // Sums relative to the query: differences of neighbors are small, their coordinates are not.
+  double squared_radius = 0.;
+  double x = 0., y = 0., z = 0., xx = 0., xy = 0., xz = 0., yy = 0., yz = 0., zz = 0.;
+  search.for_each_nearest(query, number_of_points,
+                          [&](std::size_t, const Point& p, double squared_distance)
+                          {
+                            squared_radius = (std::max)(squared_radius, squared_distance);
+                            const Vector v = p - query;
+                            x += v.x();
+                            y += v.y();
+                            z += v.z();
+                            xx += v.x() * v.x();
+                            xy += v.x() * v.y();
+                            xz += v.x() * v.z();
+                            yy += v.y() * v.y();
+                            yz += v.y() * v.z();
+                            zz += v.z() * v.z();
+                          });
+  const double n = static_cast<double>(number_of_points);
+  const std::array<double, 6> covariance = {(xx - x * x / n) / n, (xy - x * y / n) / n,
+                                            (xz - x * z / n) / n, (yy - y * y / n) / n,
+                                            (yz - y * z / n) / n, (zz - z * z / n) / n};
+  const double k = (std::max)(n - 1., 1.);
+  return {surface_variation<DiagonalizeTraits>(covariance, coordinate_error), squared_radius / k};
+}
+
+// The number of points of a neighborhood: the point itself and its k neighbors, or all there are
+inline std::size_t neighborhood_size(std::size_t number_of_neighbors, std::size_t number_of_points)
+{
+  return (std::min)(number_of_neighbors, number_of_points - 1) + 1;
+}
+
+// O(n (log n + k))
+template <typename ConcurrencyTag, typename DiagonalizeTraits>
+Features compute_features(const Cloud& cloud, const Neighbor_search& search,
+                          std::size_t number_of_neighbors, const Progress& progress)
+{
+  const std::size_t n = cloud.size();
+  const std::size_t size = neighborhood_size(number_of_neighbors, n);
+  Features features{std::vector<double>(n), std::vector<double>(n)};
+  for_each_index<ConcurrencyTag>(n, progress,
+                                 [&](std::size_t i)
+                                 {
+                                   const Local_features local = local_features<DiagonalizeTraits>(
+                                       search, cloud.points[i], size, cloud.coordinate_error);
+                                   features.curvature[i] = local.curvature;
+                                   features.inverse_density[i] = local.inverse_density;
+                                 });
+  return features;
+}
+
+// The factor that takes kappa to [0, 20] (paper, sec. 4.2); 0 where kappa vanishes everywhere.
+// The lower end of the scale is kappa = 0 and not the smallest kappa: otherwise a sphere's kappa,
+// equal up to noise, would spread over the whole range.
+template <typename ConcurrencyTag>
+double curvature_scale(const std::vector<double>& curvature, double maximum_scaled_curvature)
+{
+  const double maximum = reduce_indices<ConcurrencyTag>(
+      curvature.size(), 0., [&](std::size_t i) { return curvature[i]; },
+      [](double a, double b) { return (std::max)(a, b); });
+  return maximum > 0. ? maximum_scaled_curvature / maximum : 0.;
+}
+
+} // namespace internal
+} // namespace Curvature_aware_simplification_3
+} // namespace CGAL
+
+#endif // CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_FEATURES_H

@@ -1,0 +1,179 @@
+// Copyright (c) 2026 The authors of Curvature_aware_simplification_3.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_PARAMETERS_H
+#define CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_PARAMETERS_H
+
+#include <CGAL/Named_function_parameters.h>
+#include <CGAL/boost/graph/named_params_helper.h>
+#include <CGAL/number_utils.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <limits>
+#include <sstream>
+#include <stdexcept>
+#include <string>
+#include <type_traits>
+
+#ifndef CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_NAMED_PARAMETERS
+#error                                                                                             \
+    "CGAL's own parameters_interface.h was found before that of Curvature_aware_simplification_3. \
+Put this package's include directory in front of CGAL's; with CMake, link \
+Curvature_aware_simplification_3::Curvature_aware_simplification_3."
+#endif
+
+namespace CGAL
+{
+namespace Curvature_aware_simplification_3
+{
+namespace internal
+{
+
+// A parameter that is out of range: the message names it, its value and what is allowed.
+template <typename Value>
+[[noreturn]] void throw_invalid_parameter(const std::string& name, const Value& value,
+                                          const std::string& allowed)
+{
+  std::ostringstream message;
+  message.precision(std::numeric_limits<double>::max_digits10);
+  message << name << " is " << value << ", but must be " << allowed;
+  throw std::invalid_argument(message.str());
+}
+
+// In the range tests, a NaN fails every comparison, hence is never allowed.
+inline double checked(const std::string& name, double value, bool is_allowed,
+                      const std::string& allowed)
+{
+  if (!is_allowed)
+    throw_invalid_parameter(name, value, allowed);
+  return value;
+}
+
+[[noreturn]] inline void throw_empty_range()
+{
+  throw std::invalid_argument("points is empty, but must hold at least one point");
+}
+
+// CGAL's search structures count neighbors as `unsigned int`, and one more than k are asked for.
+constexpr std::size_t largest_count = (std::numeric_limits<unsigned int>::max)() - 1;
+
+// Compared before the conversion, so that a negative value is reported and not wrapped around.
+template <typename Value>
+std::size_t checked_count(const std::string& name, const Value& value, std::size_t minimum,
+                          std::size_t maximum, const std::string& allowed)
+{
+  static_assert(std::is_arithmetic<Value>::value, "a count must be a number");
+  const long double number = static_cast<long double>(value);
+  if (!(number >= static_cast<long double>(minimum) &&
+        number <= static_cast<long double>(maximum) && number == std::floor(number)))
+    throw_invalid_parameter(name, value, allowed);
+  return static_cast<std::size_t>(value);
+}
+
+// All named parameters but the property maps and traits: read and checked here, once
+struct Parameters
+{
+  std::size_t number_of_output_points; // N
+  std::size_t number_of_neighbors;     // k
+  double curvature_weight;             // w_kappa = 1 - w_rho
+  double adaptivity;                   // alpha
+  std::uint64_t random_seed;
+  std::size_t number_of_iterations;
+  double curvature_dependence;   // d
+  double repulsion_weight;       // mu
+  double neighbor_radius;        // h in the caller's unit; 0: derived from the samples
+  bool recompute_curvature;      // paper, sec. 5.3
+  bool require_uniform_sampling; // the density weights of Huang et al. (2009)
+  std::function<bool(double)> callback;
+};
+
+// How many of M points a percentage is: rounded down as in CGAL's other functions, but at least one
+inline std::size_t percentage_of(double percentage, std::size_t number_of_points)
+{
+  // The product before the quotient: 100 * (29 / 100.) is below 29.
+  const double count = static_cast<double>(number_of_points) * percentage / 100.;
+  return (std::max)(std::size_t(1), static_cast<std::size_t>(count));
+}
+
+template <typename NamedParameters>
+Parameters read_parameters(const NamedParameters& np, std::size_t number_of_points)
+{
+  using parameters::choose_parameter;
+  using parameters::get_parameter;
+  using parameters::is_default_parameter;
+
+  if (number_of_points == 0)
+    throw_empty_range();
+
+  const auto number = [&](const auto& tag, double default_value)
+  { return CGAL::to_double(choose_parameter(get_parameter(np, tag), default_value)); };
+
+  Parameters result;
+
+  const double percentage = number(internal_np::select_percentage, 5.);
+  checked("select_percentage", percentage, percentage > 0. && percentage <= 100.,
+          "above 0 and at most 100");
+  result.number_of_output_points = percentage_of(percentage, number_of_points);
+  if (!is_default_parameter<NamedParameters, internal_np::number_of_output_points_t>::value)
+    result.number_of_output_points = checked_count(
+        "number_of_output_points",
+        choose_parameter(get_parameter(np, internal_np::number_of_output_points), std::size_t(1)),
+        1, number_of_points,
+        "an integer from 1 to the number of points, which is " + std::to_string(number_of_points));
+
+  result.number_of_neighbors =
+      checked_count("number_of_neighbors",
+                    choose_parameter(get_parameter(np, internal_np::number_of_neighbors), 16), 2,
+                    largest_count, "an integer of at least 2");
+
+  const double curvature_weight = number(internal_np::curvature_weight, 0.75);
+  result.curvature_weight =
+      checked("curvature_weight", curvature_weight,
+              curvature_weight >= 0. && curvature_weight <= 1., "from 0 to 1");
+
+  const double adaptivity = number(internal_np::adaptivity, 2. / 3.);
+  result.adaptivity =
+      checked("adaptivity", adaptivity, adaptivity >= 0. && adaptivity <= 1., "from 0 to 1");
+
+  result.random_seed = static_cast<std::uint64_t>(
+      choose_parameter(get_parameter(np, internal_np::random_seed), std::uint64_t(0)));
+
+  result.number_of_iterations =
+      checked_count("number_of_iterations",
+                    choose_parameter(get_parameter(np, internal_np::number_of_iterations), 10), 0,
+                    largest_count, "an integer of at least 0");
+
+  const double d = number(internal_np::curvature_dependence, 2.);
+  result.curvature_dependence =
+      checked("curvature_dependence", d, d >= 0. && std::isfinite(d), "at least 0 and finite");
+
+  const double mu = number(internal_np::repulsion_weight, 0.45);
+  result.repulsion_weight = checked("repulsion_weight", mu, mu >= 0. && mu < 0.5,
+                                    "at least 0 and below 0.5, where the iteration converges");
+
+  const double h = number(internal_np::neighbor_radius, 0.);
+  const bool is_derived =
+      is_default_parameter<NamedParameters, internal_np::neighbor_radius_t>::value;
+  result.neighbor_radius = checked("neighbor_radius", h, is_derived || (h > 0. && std::isfinite(h)),
+                                   "above 0 and finite");
+
+  result.recompute_curvature =
+      choose_parameter(get_parameter(np, internal_np::recompute_curvature), false);
+  result.require_uniform_sampling =
+      choose_parameter(get_parameter(np, internal_np::require_uniform_sampling), false);
+  result.callback =
+      choose_parameter(get_parameter(np, internal_np::callback), std::function<bool(double)>());
+  return result;
+}
+
+} // namespace internal
+} // namespace Curvature_aware_simplification_3
+} // namespace CGAL
+
+#endif // CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_PARAMETERS_H

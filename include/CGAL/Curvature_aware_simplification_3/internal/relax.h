@@ -1,0 +1,150 @@
+// Copyright (c) 2026 The authors of Curvature_aware_simplification_3.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_RELAX_H
+#define CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_RELAX_H
+
+#include <CGAL/Curvature_aware_simplification_3/internal/Curvature_weights.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/Neighbor_search.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/Theta.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/density_weights.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/loops.h>
+
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL
+{
+namespace Curvature_aware_simplification_3
+{
+namespace internal
+{
+
+// The input points as eq. 8 sees them
+struct Attractors
+{
+  const Neighbor_search& search;
+  std::vector<double> weight; // phi_1(kappa_j), over the density v_j if that is wanted
+};
+
+// The points that move
+struct Samples
+{
+  std::vector<Point> points;
+  std::vector<double> curvature; // scaled to [0, 20]
+};
+
+// What stays the same in all iterations
+struct Relaxation
+{
+  double radius;            // h, the support of theta
+  double repulsion_weight;  // mu
+  bool use_density_weights; // of Huang et al. (2009)
+};
+
+// One term of eq. 8: a weighted mean
+class Weighted_mean
+{
+public:
+  void add(double weight, const Vector& v)
+  {
+    m_weighted_sum = m_weighted_sum + weight * v;
+    m_weight += weight;
+  }
+
+  // the null vector if nothing was added
+  Vector mean() const { return m_weight > 0. ? m_weighted_sum / m_weight : Vector(0., 0., 0.); }
+
+private:
+  Vector m_weighted_sum = Vector(0., 0., 0.);
+  double m_weight = 0.;
+};
+
+// First term of eq. 8, relative to the sample: the mean of (p_j - x) with the weights
+// alpha_j phi_1(kappa_j), alpha_j = theta(r) / r, r = |x - p_j|
+inline Vector attraction(const Attractors& attractors, const Point& x, double radius)
+{
+  const Theta theta(radius);
+  // "A very small value added to all denominators" (paper, sec. 5), small against h: a sample that
+  // lies on an input point is held by it.
+  const double tiny = 1e-6 * radius;
+
+  Weighted_mean mean;
+  attractors.search.for_each_within(x, radius,
+                                    [&](std::size_t j, const Point& p, double squared_distance)
+                                    {
+                                      const double alpha = theta(squared_distance) /
+                                                           (std::sqrt(squared_distance) + tiny);
+                                      mean.add(alpha * attractors.weight[j], p - x);
+                                    });
+  return mean.mean();
+}
+
+// Second term of eq. 8: the mean of (x - x_i) with the weights beta_i phi_2(kappa, kappa_i),
+// beta_i = theta(r) / r |eta'(r)| with eta(r) = -r (Huang et al. 2009), so |eta'| = 1.
+// `density` holds the weights w_i of Huang et al., or is empty.
+inline Vector repulsion(const Samples& samples, const Neighbor_search& search,
+                        const std::vector<double>& amplitude, const std::vector<double>& density,
+                        double radius, std::size_t sample)
+{
+  const Theta theta(radius);
+  const Point& x = samples.points[sample];
+
+  Weighted_mean mean;
+  search.for_each_within(
+      x, radius,
+      [&](std::size_t i, const Point& x_i, double squared_distance)
+      {
+        if (squared_distance == 0.) // the sample itself; of others, no direction leads away
+          return;
+        const double beta = theta(squared_distance) / std::sqrt(squared_distance);
+        const double phi = Curvature_weights::repulsion(amplitude[sample], amplitude[i]);
+        mean.add(beta * phi * (density.empty() ? 1. : density[i]), x - x_i);
+      });
+  return mean.mean();
+}
+
+// One iteration of eq. 8 for all samples at once; `curvature_at(x)` is the scaled surface variation
+// of a sample at x. O(N (log M + neighbors))
+template <typename ConcurrencyTag, typename CurvatureAt>
+Samples relax(const Samples& samples, const Attractors& attractors,
+              const Curvature_weights& curvature_weights, const Relaxation& relaxation,
+              const CurvatureAt& curvature_at, const Progress& progress)
+{
+  const std::size_t n = samples.points.size();
+  const double h = relaxation.radius;
+  const Neighbor_search search(samples.points, ConcurrencyTag());
+
+  std::vector<double> density;
+  if (relaxation.use_density_weights)
+    density = density_weights<ConcurrencyTag>(samples.points, search, h, progress.part(0., 0.));
+  std::vector<double> amplitude(n);
+  for_each_index<ConcurrencyTag>(0, n,
+                                 [&](std::size_t i) {
+                                   amplitude[i] =
+                                       curvature_weights.repulsion_amplitude(samples.curvature[i]);
+                                 });
+
+  Samples moved = samples;
+  for_each_index<ConcurrencyTag>(n, progress,
+                                 [&](std::size_t i)
+                                 {
+                                   const Point& x = samples.points[i];
+                                   const Vector attracted = attraction(attractors, x, h);
+                                   const Vector repulsed =
+                                       repulsion(samples, search, amplitude, density, h, i);
+                                   moved.points[i] =
+                                       x + attracted + relaxation.repulsion_weight * repulsed;
+                                   moved.curvature[i] = curvature_at(moved.points[i]);
+                                 });
+  return moved;
+}
+
+} // namespace internal
+} // namespace Curvature_aware_simplification_3
+} // namespace CGAL
+
+#endif // CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_RELAX_H

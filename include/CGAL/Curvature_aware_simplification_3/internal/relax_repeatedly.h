@@ -1,0 +1,108 @@
+// Copyright (c) 2026 The authors of Curvature_aware_simplification_3.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_RELAX_REPEATEDLY_H
+#define CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_RELAX_REPEATEDLY_H
+
+#include <CGAL/Curvature_aware_simplification_3/internal/Cloud.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/Curvature_weights.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/Neighbor_search.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/Progress.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/density_weights.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/features.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/loops.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/parameters.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/relax.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL
+{
+namespace Curvature_aware_simplification_3
+{
+namespace internal
+{
+
+// The positions of the selected points, along the Hilbert curve of the cloud, so that samples that
+// are neighbors in space are neighbors in memory
+inline std::vector<Point> positions(const Cloud& cloud, const std::vector<std::size_t>& selected)
+{
+  std::vector<std::size_t> order;
+  order.reserve(selected.size());
+  for (std::size_t i : selected)
+    order.push_back(cloud.distinct_index[i]);
+  std::sort(order.begin(), order.end());
+
+  std::vector<Point> result;
+  result.reserve(order.size());
+  for (std::size_t j : order)
+    result.push_back(cloud.points[j]);
+  return result;
+}
+
+// The samples after all iterations of eq. 8 with support radius h, in the frame
+template <typename ConcurrencyTag, typename DiagonalizeTraits>
+std::vector<Point> relax_repeatedly(const std::vector<Point>& initial_samples, const Cloud& cloud,
+                                    const Neighbor_search& search, const Features& features,
+                                    double h, const Parameters& parameters,
+                                    const Progress& progress)
+{
+  const double scale =
+      curvature_scale<ConcurrencyTag>(features.curvature, Curvature_weights::maximum_curvature);
+  const Curvature_weights curvature_weights(parameters.curvature_dependence);
+
+  Attractors attractors{search, std::vector<double>(cloud.size())};
+  for_each_index<ConcurrencyTag>(0, cloud.size(),
+                                 [&](std::size_t j) {
+                                   attractors.weight[j] =
+                                       curvature_weights.attraction(scale * features.curvature[j]);
+                                 });
+  if (parameters.require_uniform_sampling)
+  {
+    const std::vector<double> density =
+        density_weights<ConcurrencyTag>(cloud.points, search, h, progress.part(0., 0.2));
+    for_each_index<ConcurrencyTag>(0, cloud.size(),
+                                   [&](std::size_t j) { attractors.weight[j] /= density[j]; });
+  }
+
+  const std::size_t neighborhood = neighborhood_size(parameters.number_of_neighbors, cloud.size());
+  const auto curvature_at = [&](const Point& x)
+  {
+    double curvature = 0.;
+    if (parameters.recompute_curvature) // paper, sec. 5.3
+      curvature = local_features<DiagonalizeTraits>(search, x, neighborhood, cloud.coordinate_error)
+                      .curvature;
+    else // that of the nearest input point (paper, sec. 4.2)
+      search.for_each_nearest(
+          x, 1, [&](std::size_t j, const Point&, double) { curvature = features.curvature[j]; });
+    return (std::min)(scale * curvature, Curvature_weights::maximum_curvature);
+  };
+
+  Samples samples{initial_samples, std::vector<double>(initial_samples.size())};
+  for_each_index<ConcurrencyTag>(0, samples.points.size(),
+                                 [&](std::size_t i)
+                                 { samples.curvature[i] = curvature_at(samples.points[i]); });
+
+  const Relaxation relaxation{h, parameters.repulsion_weight, parameters.require_uniform_sampling};
+  const Progress iterations_progress =
+      progress.part(parameters.require_uniform_sampling ? 0.2 : 0., 1.);
+  const double iterations = static_cast<double>(parameters.number_of_iterations);
+  for (std::size_t i = 0; i < parameters.number_of_iterations; ++i)
+  {
+    const double done = static_cast<double>(i);
+    samples = relax<ConcurrencyTag>(
+        samples, attractors, curvature_weights, relaxation, curvature_at,
+        iterations_progress.part(done / iterations, (done + 1.) / iterations));
+  }
+  return samples.points;
+}
+
+} // namespace internal
+} // namespace Curvature_aware_simplification_3
+} // namespace CGAL
+
+#endif // CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_RELAX_REPEATEDLY_H

@@ -1,0 +1,51 @@
+// Copyright (c) 2026 The authors of Curvature_aware_simplification_3.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_CURVATURE_AWARE_SIMPLIFICATION_REPORT_H
+#define CGAL_CURVATURE_AWARE_SIMPLIFICATION_REPORT_H
+
+#include <cstddef>
+
+namespace CGAL
+{
+
+/*!
+\ingroup PkgCurvatureAwareSimplification3Classes
+
+\brief What `CGAL::curvature_aware_simplify_point_set()` found in its input and did.
+
+Pass an object with the named parameter `simplification_report`, wrapped in `std::ref`. It is filled
+when the function succeeds. Lengths are in the unit of the input, times in seconds of wall time.
+*/
+struct Curvature_aware_simplification_report
+{
+  /// number of input points
+  std::size_t number_of_input_points = 0;
+  /// number of input points that differ from each other
+  std::size_t number_of_distinct_points = 0;
+  /// number of points written
+  std::size_t number_of_output_points = 0;
+
+  /// typical distance of neighboring output points: that of a hexagonal lattice of the same density
+  /// as the selected points have, in the median over all of them
+  double output_spacing = 0.;
+  /// radius \f$h\f$ of the neighborhoods that were used, given or derived
+  double neighbor_radius = 0.;
+  /// largest surface variation of an input point, which is scaled to 20
+  double maximum_surface_variation = 0.;
+
+  /// copying, checking and sorting the points, and building the search tree
+  double sorting_time = 0.;
+  /// surface variation and density of all input points
+  double features_time = 0.;
+  /// stochastic selection
+  double selection_time = 0.;
+  /// all iterations of the relaxation
+  double relaxation_time = 0.;
+};
+
+} // namespace CGAL
+
+#endif // CGAL_CURVATURE_AWARE_SIMPLIFICATION_REPORT_H

@@ -1,0 +1,300 @@
+// Copyright (c) 2026 The authors of Curvature_aware_simplification_3.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_CURVATURE_AWARE_SIMPLIFY_POINT_SET_H
+#define CGAL_CURVATURE_AWARE_SIMPLIFY_POINT_SET_H
+
+#include <CGAL/Curvature_aware_simplification_3/internal/Cloud.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/Neighbor_search.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/Progress.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/features.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/input.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/parameters.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/relax_repeatedly.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/sample_spacing.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/select_points.h>
+#include <CGAL/Curvature_aware_simplification_report.h>
+
+#include <CGAL/Named_function_parameters.h>
+#include <CGAL/Real_timer.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <functional>
+#include <limits>
+#include <vector>
+
+namespace CGAL
+{
+
+/*!
+\ingroup PkgCurvatureAwareSimplification3Algorithms
+
+\brief simplifies a point set to a given number of points, dense where the surface bends and sparse
+where it is flat, that lie near the surface and are spread evenly.
+
+This is an implementation of the curvature-aware simplification of
+\cgalCite{cgal:curvature-aware-simplification}, a locally optimal projection (LOP) with weights that
+depend on curvature, started from a curvature- and density-aware random selection:
+
+-# The surface variation \f$\kappa\f$ and the density \f$\rho\f$ of every input point are computed
+   from its nearest neighbors, see `CGAL::estimate_surface_variation()`.
+-# Points are selected at random with a probability that grows with \f$\kappa\f$ and with
+   \f$1/\rho\f$ (section 4.1), see `CGAL::curvature_aware_random_simplify_point_set()`.
+-# These samples are relaxed: in each iteration, every sample \f$x\f$ moves to
+   \f[ x' = \frac{\sum_j \alpha_j \phi_1(\kappa_j) \, p_j}{\sum_j \alpha_j \phi_1(\kappa_j)}
+   + \mu \frac{\sum_i \beta_i \phi_2(\kappa, \kappa_i) (x - x_i)}{\sum_i \beta_i
+   \phi_2(\kappa, \kappa_i)} \f]
+   (eq. 8), attracted by the input points \f$p_j\f$ and repelled by the other samples \f$x_i\f$, with
+   \f$\alpha_j = \theta(r) / r\f$ for \f$r = \| x - p_j \|\f$, \f$\beta_i = \theta(r) / r\f$ for
+   \f$r = \| x - x_i \|\f$, and \f$\theta(r) = \exp(-16 r^2 / h^2)\f$. The weights
+   \f$\phi_1(\kappa) = 0.1 + 1 / (\kappa^{-d} + 0.75)\f$ and \f$\phi_2(\kappa, \kappa') = (a(\kappa)
+   + a(\kappa')) / 2\f$ with \f$a(\kappa) = 0.1 + 1 / (\kappa^d + 0.75)\f$ take \f$\kappa\f$ scaled
+   to \f$[0, 20]\f$ (eq. 3 to 6).
+
+The result does not depend on the unit or the origin of the coordinates, and is the same, bit by bit,
+for the same input and seed, whatever the concurrency tag and the number of threads. The input is
+neither changed nor reordered. With \f$M\f$ input and \f$N\f$ output points, the time is
+\f$O(M (\log M + k) + i N (\log M + n))\f$ for \f$i\f$ iterations and \f$n\f$ points in a ball of
+radius \f$h\f$, the memory \f$O(M)\f$.
+
+<b>The settings of the paper</b> are the defaults, except for `neighbor_radius`. The paper's \f$h = 4
+\sqrt{D / M}\f$, with \f$D\f$ the length of the diagonal of the input's bounding box, depends on the
+unit; it becomes \f$4 D / \sqrt{M}\f$ for an input scaled to \f$D = 1\f$. It does not depend on
+\f$N\f$ either, and holds no other sample when few are asked for, so that nothing is spread. The
+default here follows the spacing of the output instead.
+
+\tparam ConcurrencyTag enables sequential versus parallel algorithm. Possible values are
+        `Sequential_tag`, `Parallel_tag`, and `Parallel_if_available_tag`. The result is the same.
+\tparam PointRange is a model of `ConstRange`. The value type of its iterator is the key type of the
+        named parameter `point_map`.
+\tparam OutputIterator is a model of `OutputIterator` that accepts objects of type
+        `geom_traits::Point_3`.
+
+\param points input point range, neither changed nor reordered
+\param output iterator where the output points are put, exactly as many as asked for. Their order is
+       that of a space-filling curve through the selected points.
+\param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed
+       below
+
+\cgalNamedParamsBegin
+  \cgalParamNBegin{point_map}
+    \cgalParamDescription{a property map associating points to the elements of the point set
+                          `points`}
+    \cgalParamType{a model of `ReadablePropertyMap` whose key type is the value type of the iterator
+                   of `PointRange` and whose value type is `geom_traits::Point_3`}
+    \cgalParamDefault{`CGAL::Identity_property_map<geom_traits::Point_3>`}
+  \cgalParamNEnd
+
+  \cgalParamNBegin{select_percentage}
+    \cgalParamDescription{percentage of points to return}
+    \cgalParamType{floating scalar value, above 0 and at most 100}
+    \cgalParamDefault{`5`}
+    \cgalParamExtra{The number of points is rounded down, but is at least 1.}
+  \cgalParamNEnd
+
+  \cgalParamNBegin{number_of_output_points}
+    \cgalParamDescription{number of points to return; if it is given, `select_percentage` is ignored}
+    \cgalParamType{an integer from 1 to the number of input points}
+    \cgalParamDefault{unused}
+  \cgalParamNEnd
+
+  \cgalParamNBegin{curvature_weight}
+    \cgalParamDescription{the weight \f$w_\kappa\f$ of the surface variation in the selection; that
+                          of the inverse density is \f$w_\rho = 1 - w_\kappa\f$}
+    \cgalParamType{floating scalar value from 0 to 1}
+    \cgalParamDefault{`0.75`}
+    \cgalParamExtra{With 0, the selection makes up for an uneven density of the input and knows no
+                    curvature.}
+  \cgalParamNEnd
+
+  \cgalParamNBegin{adaptivity}
+    \cgalParamDescription{how strongly the selection depends on curvature and density: \f$\alpha\f$}
+    \cgalParamType{floating scalar value from 0 to 1}
+    \cgalParamDefault{`2/3`}
+    \cgalParamExtra{With 0, all points are equally likely.}
+  \cgalParamNEnd
+
+  \cgalParamNBegin{curvature_dependence}
+    \cgalParamDescription{how strongly the relaxation gathers samples where the surface bends:
+                          the exponent \f$d\f$ of \f$\phi_1\f$ and \f$\phi_2\f$}
+    \cgalParamType{floating scalar value, at least 0}
+    \cgalParamDefault{`2`}
+    \cgalParamExtra{With 0, the relaxation knows no curvature and spreads the samples uniformly.
+                    Together with `adaptivity(0)`, this is the classical LOP.}
+  \cgalParamNEnd
+
+  \cgalParamNBegin{number_of_iterations}
+    \cgalParamDescription{number of iterations of the relaxation}
+    \cgalParamType{an integer of at least 0}
+    \cgalParamDefault{`10`}
+    \cgalParamExtra{More iterations give a more regular result but increase the running time.}
+  \cgalParamNEnd
+
+  \cgalParamNBegin{neighbor_radius}
+    \cgalParamDescription{the radius \f$h\f$ of the ball in which input points attract and other
+                          samples repel a sample, in the unit of the coordinates}
+    \cgalParamType{floating scalar value, above 0}
+    \cgalParamDefault{twice the spacing of the selected points, so that the ball holds two rings of
+                      them}
+    \cgalParamExtra{A larger radius removes more noise and detail and takes more time.}
+  \cgalParamNEnd
+
+  \cgalParamNBegin{repulsion_weight}
+    \cgalParamDescription{the factor \f$\mu\f$ of the repulsion}
+    \cgalParamType{floating scalar value, at least 0 and below 0.5}
+    \cgalParamDefault{`0.45`}
+  \cgalParamNEnd
+
+  \cgalParamNBegin{require_uniform_sampling}
+    \cgalParamDescription{if `true`, the terms of eq. 8 are weighted by the local densities as in
+                          WLOP \cgalCite{wlop-2009}, which evens out an input of very uneven density}
+    \cgalParamType{Boolean}
+    \cgalParamDefault{`false`}
+    \cgalParamExtra{Takes a ball query more for each input point.}
+  \cgalParamNEnd
+
+  \cgalParamNBegin{recompute_curvature}
+    \cgalParamDescription{if `true`, the surface variation of a sample is computed from the input
+                          points around it in every iteration (section 5.3), which helps with noise;
+                          if `false`, it is that of the nearest input point (section 4.2)}
+    \cgalParamType{Boolean}
+    \cgalParamDefault{`false`}
+    \cgalParamExtra{Takes a query of `number_of_neighbors` points more for each sample and iteration.}
+  \cgalParamNEnd
+
+  \cgalParamNBegin{number_of_neighbors}
+    \cgalParamDescription{the number \f$k\f$ of neighbors from which surface variation and density
+                          are computed, the point itself not counted}
+    \cgalParamType{an integer of at least 2}
+    \cgalParamDefault{`16`}
+    \cgalParamExtra{More neighbors make the estimates robust against noise, and blind to details
+                    smaller than the neighborhood.}
+  \cgalParamNEnd
+
+  \cgalParamNBegin{random_seed}
+    \cgalParamDescription{seed of the random numbers, which are a function of it and of the position
+                          of a point in the range: same input and seed, same result}
+    \cgalParamType{an integer}
+    \cgalParamDefault{`0`}
+  \cgalParamNEnd
+
+  \cgalParamNBegin{callback}
+    \cgalParamDescription{a mechanism to get feedback on the advancement of the algorithm while it's
+                          running and to interrupt it if needed}
+    \cgalParamType{an instance of `std::function<bool(double)>`}
+    \cgalParamDefault{unused}
+    \cgalParamExtra{It is called on the calling thread with the current advancement, which increases
+                    from 0 to 1. If it returns `false`, nothing is written to `output`.}
+  \cgalParamNEnd
+
+  \cgalParamNBegin{simplification_report}
+    \cgalParamDescription{receives what was found in the input, and the time of each stage}
+    \cgalParamType{`std::reference_wrapper<CGAL::Curvature_aware_simplification_report>`}
+    \cgalParamDefault{unused}
+  \cgalParamNEnd
+
+  \cgalParamNBegin{geom_traits}
+    \cgalParamDescription{an instance of a geometric traits class}
+    \cgalParamType{a model of `Kernel`}
+    \cgalParamDefault{a \cgal Kernel deduced from the point type, using `CGAL::Kernel_traits`}
+  \cgalParamNEnd
+
+  \cgalParamNBegin{diagonalize_traits}
+    \cgalParamDescription{the solver that diagonalizes the covariance matrices}
+    \cgalParamType{a class model of `DiagonalizeTraits` with number type `double` and dimension 3}
+    \cgalParamDefault{`CGAL::Default_diagonalize_traits<double, 3>`, which needs \ref thirdpartyEigen}
+  \cgalParamNEnd
+\cgalNamedParamsEnd
+
+\return the iterator behind the last point written
+
+\throws std::invalid_argument if `points` is empty, a coordinate is not finite (the message tells the
+        index of the first such point), or a parameter is out of its range (the message tells its
+        name, its value and what is allowed); nothing is written then
+
+\sa `CGAL::wlop_simplify_and_regularize_point_set()`
+\sa `CGAL::curvature_aware_random_simplify_point_set()`
+\sa `CGAL::estimate_surface_variation()`
+*/
+template <typename ConcurrencyTag, typename PointRange, typename OutputIterator,
+          typename NamedParameters = parameters::Default_named_parameters>
+OutputIterator
+curvature_aware_simplify_point_set(const PointRange& points, OutputIterator output,
+                                   const NamedParameters& np = parameters::default_values())
+{
+  using namespace Curvature_aware_simplification_3::internal;
+  using parameters::choose_parameter;
+  using parameters::get_parameter;
+  using Types = Input_types<PointRange, NamedParameters>;
+  using Geom_traits = typename Types::Geom_traits;
+  using FT = typename Geom_traits::FT;
+  using Diagonalize_traits = typename Types::Diagonalize_traits;
+
+  const Parameters parameters = read_parameters(np, number_of_elements(points));
+  const Progress progress(parameters.callback);
+  Curvature_aware_simplification_report report;
+  Real_timer timer;
+  timer.start();
+  const auto lap = [&timer]
+  {
+    const double time = timer.time();
+    timer.reset();
+    return time;
+  };
+
+  try
+  {
+    const Cloud cloud = make_cloud<ConcurrencyTag>(
+        read_coordinates(points, Types::NP_helper::get_const_point_map(points, np)),
+        relative_rounding_error<FT>());
+    const Neighbor_search search(cloud.points, ConcurrencyTag());
+    report.sorting_time = lap();
+
+    const Features features = compute_features<ConcurrencyTag, Diagonalize_traits>(
+        cloud, search, parameters.number_of_neighbors, progress.part(0., 0.4));
+    report.features_time = lap();
+
+    std::vector<Point> samples =
+        positions(cloud, select_points<ConcurrencyTag>(cloud, features, parameters));
+    report.selection_time = lap();
+
+    const double spacing = sample_spacing<ConcurrencyTag>(samples);
+    const double h = parameters.neighbor_radius > 0.
+                         ? cloud.frame.length_to_frame(parameters.neighbor_radius)
+                         : radius_in_spacings * spacing;
+    // A ball smaller than the rounding error of the coordinates holds nothing but its center.
+    if (h > std::numeric_limits<double>::epsilon())
+      samples = relax_repeatedly<ConcurrencyTag, Diagonalize_traits>(
+          samples, cloud, search, features, h, parameters, progress.part(0.4, 1.));
+    report.relaxation_time = lap();
+
+    report.number_of_input_points = cloud.input_size();
+    report.number_of_distinct_points = cloud.size();
+    report.number_of_output_points = samples.size();
+    report.output_spacing = cloud.frame.length_from_frame(spacing);
+    report.neighbor_radius = cloud.frame.length_from_frame(h);
+    report.maximum_surface_variation =
+        *std::max_element(features.curvature.begin(), features.curvature.end());
+
+    progress.report(1.);
+    choose_parameter(get_parameter(np, internal_np::simplification_report), std::ref(report))
+        .get() = report;
+    for (const Point& sample : samples)
+    {
+      const Point p = cloud.frame.from_frame(sample);
+      *output++ = typename Geom_traits::Point_3(static_cast<FT>(p.x()), static_cast<FT>(p.y()),
+                                                static_cast<FT>(p.z()));
+    }
+  }
+  catch (const Cancelled&)
+  {
+  }
+  return output;
+}
+
+} // namespace CGAL
+
+#endif // CGAL_CURVATURE_AWARE_SIMPLIFY_POINT_SET_H

@@ -1,0 +1,133 @@
+// Copyright (c) 2026 The authors of Curvature_aware_simplification_3.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_ESTIMATE_SURFACE_VARIATION_H
+#define CGAL_ESTIMATE_SURFACE_VARIATION_H
+
+#include <CGAL/Curvature_aware_simplification_3/internal/Cloud.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/Neighbor_search.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/Progress.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/features.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/input.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/parameters.h>
+
+#include <CGAL/Named_function_parameters.h>
+
+#include <cstddef>
+#include <functional>
+#include <type_traits>
+
+namespace CGAL
+{
+
+/*!
+\ingroup PkgCurvatureAwareSimplification3Algorithms
+
+\brief estimates the surface variation \cgalCite{cgal:pgk-esops-02} at each point of a point set.
+
+The surface variation of a point is \f$\kappa = \lambda_0 / (\lambda_0 + \lambda_1 + \lambda_2)\f$,
+where \f$\lambda_0 \le \lambda_1 \le \lambda_2\f$ are the eigenvalues of the covariance matrix of the
+point and its `k` nearest neighbors. It has no unit, and ranges from 0, where they lie in a plane, to
+1/3, where they are spread evenly in all directions. For a smooth surface that is sampled densely it
+grows with the square of the curvature: with neighborhoods of radius \f$r\f$, it is near
+\f$r^2 / (24 R^2)\f$ on a sphere and \f$r^2 / (32 R^2)\f$ on a cylinder of radius \f$R\f$. It is part
+of the method of \cgalCite{cgal:curvature-aware-simplification} (section 4.1, step 1).
+
+Points that are exact duplicates of each other are counted once in every neighborhood, and get the
+same value. Values below the rounding error of the coordinates are set to 0.
+
+The complexity is \f$O(n (\log n + k))\f$ for \f$n\f$ points.
+
+\tparam ConcurrencyTag enables sequential versus parallel algorithm. Possible values are
+        `Sequential_tag`, `Parallel_tag`, and `Parallel_if_available_tag`. The result is the same.
+\tparam PointRange is a model of `ConstRange`. The value type of its iterator is the key type of the
+        named parameter `point_map`.
+\tparam SurfaceVariationMap is a model of `WritablePropertyMap` whose key type is the value type of
+        the iterator of `PointRange` and to whose value type `double` converts.
+
+\param points input point range, of which nothing but the surface variation map is written
+\param k number of neighbors of a neighborhood, the point itself not counted, at least 2. If there
+       are fewer distinct points, all of them are used.
+\param surface_variation_map a property map that receives the surface variation of each point; it is
+       written after the last value is known, on the calling thread, in the order of the range
+\param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed
+       below
+
+\cgalNamedParamsBegin
+  \cgalParamNBegin{point_map}
+    \cgalParamDescription{a property map associating points to the elements of the point set
+                          `points`}
+    \cgalParamType{a model of `ReadablePropertyMap` whose key type is the value type of the iterator
+                   of `PointRange` and whose value type is `geom_traits::Point_3`}
+    \cgalParamDefault{`CGAL::Identity_property_map<geom_traits::Point_3>`}
+  \cgalParamNEnd
+
+  \cgalParamNBegin{callback}
+    \cgalParamDescription{a mechanism to get feedback on the advancement of the algorithm while it's
+                          running and to interrupt it if needed}
+    \cgalParamType{an instance of `std::function<bool(double)>`}
+    \cgalParamDefault{unused}
+    \cgalParamExtra{It is called on the calling thread with the current advancement, which increases
+                    from 0 to 1. If it returns `false`, nothing is written.}
+  \cgalParamNEnd
+
+  \cgalParamNBegin{geom_traits}
+    \cgalParamDescription{an instance of a geometric traits class}
+    \cgalParamType{a model of `Kernel`}
+    \cgalParamDefault{a \cgal Kernel deduced from the point type, using `CGAL::Kernel_traits`}
+  \cgalParamNEnd
+
+  \cgalParamNBegin{diagonalize_traits}
+    \cgalParamDescription{the solver that diagonalizes the covariance matrices}
+    \cgalParamType{a class model of `DiagonalizeTraits` with number type `double` and dimension 3}
+    \cgalParamDefault{`CGAL::Default_diagonalize_traits<double, 3>`, which needs \ref thirdpartyEigen}
+  \cgalParamNEnd
+\cgalNamedParamsEnd
+
+\return `true`, or `false` if the callback stopped the computation
+
+\throws std::invalid_argument if `points` is empty, a coordinate is not finite (the message tells the
+        index of the first such point), or `k` is below 2; nothing is written then
+*/
+template <typename ConcurrencyTag, typename PointRange, typename SurfaceVariationMap,
+          typename NamedParameters = parameters::Default_named_parameters>
+bool estimate_surface_variation(PointRange& points, unsigned int k,
+                                SurfaceVariationMap surface_variation_map,
+                                const NamedParameters& np = parameters::default_values())
+{
+  using namespace Curvature_aware_simplification_3::internal;
+  using parameters::choose_parameter;
+  using parameters::get_parameter;
+  using Types = Input_types<std::remove_const_t<PointRange>, NamedParameters>;
+
+  if (number_of_elements(points) == 0)
+    throw_empty_range();
+  checked_count("k", k, 2, largest_count, "an integer of at least 2");
+  const std::function<bool(double)> callback =
+      choose_parameter(get_parameter(np, internal_np::callback), std::function<bool(double)>());
+
+  try
+  {
+    const Progress progress(callback);
+    const Cloud cloud = make_cloud<ConcurrencyTag>(
+        read_coordinates(points, Types::NP_helper::get_const_point_map(points, np)),
+        relative_rounding_error<typename Types::Geom_traits::FT>());
+    const Neighbor_search search(cloud.points, ConcurrencyTag());
+    const Features features = compute_features<ConcurrencyTag, typename Types::Diagonalize_traits>(
+        cloud, search, k, progress);
+    std::size_t i = 0;
+    for (auto&& element : points)
+      put(surface_variation_map, element, features.curvature[cloud.distinct_index[i++]]);
+    return true;
+  }
+  catch (const Cancelled&)
+  {
+    return false;
+  }
+}
+
+} // namespace CGAL
+
+#endif // CGAL_ESTIMATE_SURFACE_VARIATION_H

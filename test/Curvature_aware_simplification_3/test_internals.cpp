@@ -1,0 +1,439 @@
+// The stages one by one, against closed forms, numbers worked out by hand, and brute force
+
+#include "surfaces.h"
+
+#include <CGAL/Curvature_aware_simplification_3/internal/Cloud.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/Curvature_weights.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/Neighbor_search.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/counter_based_random.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/density_weights.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/features.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/relax.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/sample_spacing.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/select_points.h>
+#include <CGAL/estimate_surface_variation.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <numeric>
+#include <set>
+#include <utility>
+#include <vector>
+
+namespace
+{
+
+using namespace CGAL::Curvature_aware_simplification_3::internal;
+using Tag = CGAL::Parallel_if_available_tag;
+using Point_and_value = std::pair<Point, double>;
+
+const std::function<bool(double)> no_callback;
+
+// kappa at the first of `points`, by the public function
+double variation_at_first(const std::vector<Point>& points, unsigned int k)
+{
+  std::vector<Point_and_value> range;
+  for (const Point& p : points)
+    range.emplace_back(p, -1.);
+  const bool done = CGAL::estimate_surface_variation<Tag>(
+      range, k, CGAL::Second_of_pair_property_map<Point_and_value>(),
+      CGAL::parameters::point_map(CGAL::First_of_pair_property_map<Point_and_value>()));
+  EXPECT_TRUE(done);
+  return range.front().second;
+}
+
+// A square lattice of step `step`, 2 n + 1 points wide, mapped to space by `map`, its center first
+template <typename Map>
+std::vector<Point> mapped_lattice(int n, double step, const Map& map)
+{
+  std::vector<Point> points = {map(0., 0.)};
+  for (int i = -n; i <= n; ++i)
+    for (int j = -n; j <= n; ++j)
+      if (i != 0 || j != 0)
+        points.push_back(map(i * step, j * step));
+  return points;
+}
+
+TEST(Surface_variation, of_a_plane_is_zero)
+{
+  EXPECT_EQ(variation_at_first(
+                mapped_lattice(10, 0.1, [](double u, double v) { return Point(u, v, 0.); }), 16),
+            0.);
+  // tilted and far away: all that is left is rounding error
+  EXPECT_EQ(variation_at_first(mapped_lattice(10, 0.1,
+                                              [](double u, double v) {
+                                                return Point(4e5 + u, 5e6 + v,
+                                                             100. + 0.3 * u - 0.7 * v);
+                                              }),
+                               16),
+            0.);
+}
+
+TEST(Surface_variation, of_a_sphere)
+{
+  // spiral lattice, of equal area per point, from the pole
+  std::vector<Point> points;
+  const std::size_t n = 20000, k = 200;
+  for (std::size_t i = 0; i < n; ++i)
+  {
+    const double z = 1. - 2. * static_cast<double>(i) / n;
+    const double angle = static_cast<double>(i) * CGAL_PI * (3. - std::sqrt(5.));
+    const double r = std::sqrt(1. - z * z);
+    points.emplace_back(r * std::cos(angle), r * std::sin(angle), z);
+  }
+  // The neighborhood is a cap of height H; the area of a sphere is uniform in the height. So the
+  // variance along the axis is H^2 / 12, and across R H - H^2 / 3 for both directions together.
+  const double H = 2. * (k + 1.) / n;
+  const double axial = H * H / 12., across = H - H * H / 3.;
+  EXPECT_NEAR(variation_at_first(points, k) / (axial / (axial + across)), 1., 0.02);
+  // and r^2 / (24 R^2) in the limit, with r^2 = 2 R H, as the manual says
+  EXPECT_NEAR(variation_at_first(points, k) / (2. * H / 24.), 1., 0.03);
+}
+
+TEST(Surface_variation, of_a_cylinder)
+{
+  // r^2 / (32 R^2), as the manual says; within 25 steps of the lattice there are 1961 points
+  const double step = 0.004;
+  const unsigned int k = 1960;
+  const double kappa = variation_at_first(
+      mapped_lattice(30, step,
+                     [](double u, double v) { return Point(v, std::sin(u), std::cos(u)); }),
+      k);
+  const double squared_radius = (k + 1.) * step * step / CGAL_PI;
+  EXPECT_NEAR(kappa / (squared_radius / 32.), 1., 0.02);
+}
+
+TEST(Surface_variation, of_the_apex_of_a_cone)
+{
+  // spiral lattice on the unrolled cone of opening angle 90 degrees. With the distance s to the apex,
+  // mean(s) = 2/3 and mean(s^2) = 1/2: variance (1/2 - 4/9) / 2 = 1/36 along the axis, and 1/2 / 2 =
+  // 1/4 across, hence kappa = 1/10.
+  std::vector<Point> points = {Point(0., 0., 0.)};
+  const std::size_t n = 10000;
+  for (std::size_t i = 0; i < n; ++i)
+  {
+    const double s = std::sqrt((static_cast<double>(i) + 0.5) / n) / std::sqrt(2.);
+    const double angle = static_cast<double>(i) * CGAL_PI * (3. - std::sqrt(5.));
+    points.emplace_back(s * std::cos(angle), s * std::sin(angle), s);
+  }
+  EXPECT_NEAR(variation_at_first(points, n), 0.1, 1e-4);
+}
+
+TEST(Surface_variation, of_a_noisy_plane)
+{
+  CGAL::Random random(1);
+  const double step = 0.01, sigma = 0.01, k = 500.;
+  double sum = 0.;
+  for (int repetition = 0; repetition < 20; ++repetition)
+    sum += variation_at_first(
+        mapped_lattice(30, step,
+                       [&](double u, double v)
+                       { return Point(u, v, 0.01 * surfaces::normal_deviate(random)); }),
+        static_cast<unsigned int>(k));
+  // a disk of radius r has variance r^2 / 4 in both directions
+  const double squared_radius = (k + 1.) * step * step / CGAL_PI;
+  const double expected = sigma * sigma / (sigma * sigma + squared_radius / 2.);
+  EXPECT_NEAR(sum / 20. / expected, 1., 0.03);
+}
+
+TEST(Surface_variation, is_at_most_one_third)
+{
+  EXPECT_NEAR(variation_at_first({Point(0, 0, 0), Point(1, 0, 0), Point(-1, 0, 0), Point(0, 1, 0),
+                                  Point(0, -1, 0), Point(0, 0, 1), Point(0, 0, -1)},
+                                 6),
+              1. / 3., 1e-12);
+}
+
+TEST(Curvature_weights, at_the_ends_and_at_one)
+{
+  const Curvature_weights weights(2.);
+  EXPECT_DOUBLE_EQ(weights.attraction(0.), 0.1);
+  EXPECT_DOUBLE_EQ(weights.attraction(1.), 0.1 + 1. / 1.75);
+  EXPECT_NEAR(weights.attraction(20.), 1.42890365448505, 1e-14);
+  EXPECT_NEAR(weights.repulsion_amplitude(0.), 1.43333333333333, 1e-14);
+  EXPECT_DOUBLE_EQ(weights.repulsion_amplitude(1.), 0.1 + 1. / 1.75);
+  EXPECT_NEAR(weights.repulsion_amplitude(20.), 0.10249532127261, 1e-14);
+  EXPECT_DOUBLE_EQ(Curvature_weights::repulsion(0.2, 0.6), 0.4);
+}
+
+TEST(Curvature_weights, do_not_depend_on_curvature_for_exponent_zero)
+{
+  const Curvature_weights weights(0.);
+  for (double curvature : {0., 1e-300, 1e-3, 1., 20.})
+  {
+    EXPECT_EQ(weights.attraction(curvature), weights.attraction(1.));
+    EXPECT_EQ(weights.repulsion_amplitude(curvature), weights.attraction(1.));
+  }
+}
+
+TEST(Random, is_uniform_and_independent_of_index_seed_and_stream)
+{
+  const Counter_based_random random(7, 0), other_seed(8, 0), other_stream(7, 1);
+  double sum = 0., product = 0., product_seed = 0., product_stream = 0.;
+  std::vector<int> histogram(16, 0);
+  const int n = 100000;
+  for (int i = 0; i < n; ++i)
+  {
+    const std::uint64_t index = static_cast<std::uint64_t>(i);
+    const double u = random.uniform(index);
+    ASSERT_GE(u, 0.);
+    ASSERT_LT(u, 1.);
+    sum += u;
+    product += (u - 0.5) * (random.uniform(index + 1) - 0.5);
+    product_seed += (u - 0.5) * (other_seed.uniform(index) - 0.5);
+    product_stream += (u - 0.5) * (other_stream.uniform(index) - 0.5);
+    ++histogram[static_cast<std::size_t>(16. * u)];
+  }
+  // five standard deviations: of the mean sqrt(1/12/n), of the correlations 1/12/sqrt(n)
+  EXPECT_NEAR(sum / n, 0.5, 5. * std::sqrt(1. / 12. / n));
+  for (double p : {product, product_seed, product_stream})
+    EXPECT_NEAR(p / n, 0., 5. / 12. / std::sqrt(n));
+  for (int count : histogram)
+    EXPECT_NEAR(count, n / 16., 5. * std::sqrt(n / 16.));
+}
+
+TEST(Selection_probability, of_four_points_by_hand)
+{
+  const std::vector<double> curvature = {0., 0.1, 0.2, 0.1}, inverse_density = {1., 1., 2., 4.};
+  const Selection_probability F(2. / 4., 0.75, 2. / 3., 0.1, 2.);
+  EXPECT_NEAR(F(curvature[0], inverse_density[0]), 0.5 * (0.25 * 2. / 3. + 0.75 / 3.), 1e-15);
+  EXPECT_NEAR(F(curvature[0], inverse_density[0]), 0.2083333333333333, 1e-15);
+  EXPECT_NEAR(F(curvature[1], inverse_density[1]), 0.4583333333333333, 1e-15);
+  EXPECT_NEAR(F(curvature[2], inverse_density[2]), 0.75, 1e-15);
+  EXPECT_NEAR(F(curvature[3], inverse_density[3]), 0.5833333333333333, 1e-15);
+  // a plane: no curvature anywhere, so that its term is that of a constant
+  EXPECT_DOUBLE_EQ(Selection_probability(0.5, 0.75, 2. / 3., 0., 2.)(0., 2.), 0.5);
+}
+
+Cloud cloud_of(const std::vector<Point>& points)
+{
+  return make_cloud<Tag>(points, std::numeric_limits<double>::epsilon());
+}
+
+Parameters selection_parameters(std::size_t n, std::uint64_t seed)
+{
+  const auto np = CGAL::parameters::number_of_output_points(n).random_seed(seed);
+  return read_parameters(np, n);
+}
+
+TEST(Selection, is_exact_and_follows_the_probabilities)
+{
+  // features made by hand on a cloud of 40 points
+  const std::vector<Point> points = surfaces::sphere(40, 2);
+  const Cloud cloud = cloud_of(points);
+  Features features;
+  for (std::size_t i = 0; i < cloud.size(); ++i)
+  {
+    features.curvature.push_back(0.01 * static_cast<double>(cloud.input_index[i] % 4));
+    features.inverse_density.push_back(1. + static_cast<double>(cloud.input_index[i] % 2));
+  }
+  const Selection_probability F(0.25, 0.75, 2. / 3., 0.015, 1.5);
+
+  const int seeds = 4000;
+  std::vector<double> frequency(points.size(), 0.);
+  for (int seed = 0; seed < seeds; ++seed)
+  {
+    const std::vector<std::size_t> selected = select_points<Tag>(
+        cloud, features, selection_parameters(10, static_cast<std::uint64_t>(seed)));
+    ASSERT_EQ(selected.size(), 10u);
+    ASSERT_TRUE(std::is_sorted(selected.begin(), selected.end()));
+    ASSERT_EQ(std::adjacent_find(selected.begin(), selected.end()), selected.end());
+    for (std::size_t i : selected)
+      frequency[i] += 1. / seeds;
+  }
+  // Removing and inserting at random pulls the frequencies a little towards N / M.
+  for (std::size_t i = 0; i < points.size(); ++i)
+  {
+    const double probability =
+        F(0.01 * static_cast<double>(i % 4), 1. + static_cast<double>(i % 2));
+    EXPECT_NEAR(frequency[i], probability, 0.04) << i;
+    EXPECT_LT(std::abs(frequency[i] - 0.25), std::abs(probability - 0.25) + 0.03) << i;
+  }
+}
+
+TEST(Cloud, merges_duplicates_and_keeps_track)
+{
+  std::vector<Point> points = surfaces::sphere(300, 3);
+  for (std::size_t i = 0; i < 200; ++i)
+    points.push_back(points[i / 2]);
+  const Cloud cloud = cloud_of(points);
+  ASSERT_EQ(cloud.size(), 300u);
+  ASSERT_EQ(cloud.input_size(), 500u);
+  for (std::size_t i = 0; i < points.size(); ++i)
+  {
+    const std::size_t j = cloud.distinct_index[i];
+    EXPECT_EQ(cloud.input_index[j], i < 300 ? i : (i - 300) / 2);
+    EXPECT_LT(CGAL::squared_distance(cloud.frame.from_frame(cloud.points[j]), points[i]), 1e-30);
+  }
+}
+
+TEST(Cloud, selects_duplicates_only_when_it_must)
+{
+  std::vector<Point> points = surfaces::sphere(30, 4);
+  points.insert(points.end(), 270, points.front());
+  const Cloud cloud = cloud_of(points);
+  const Neighbor_search search(cloud.points, Tag());
+  const Features features = compute_features<Tag, CGAL::Default_diagonalize_traits<double, 3>>(
+      cloud, search, 8, Progress(no_callback));
+  const std::vector<std::size_t> few =
+      select_points<Tag>(cloud, features, selection_parameters(30, 1));
+  EXPECT_TRUE(few.back() < 30u);
+  const std::vector<std::size_t> many =
+      select_points<Tag>(cloud, features, selection_parameters(100, 1));
+  EXPECT_EQ(many.size(), 100u);
+  EXPECT_EQ(many[29], 29u);
+}
+
+TEST(Frame, has_a_diagonal_near_one_for_any_unit)
+{
+  for (double scale : {1e-300, 1e-6, 1., 1e6, 1e300})
+  {
+    const Frame frame(CGAL::Bbox_3(-scale, 0., 0., scale, 0., 0.));
+    const double diagonal = frame.length_to_frame(2. * scale);
+    EXPECT_GE(diagonal, 0.5);
+    EXPECT_LT(diagonal, 1.);
+    EXPECT_EQ(frame.length_from_frame(diagonal), 2. * scale);
+  }
+}
+
+// Distributions that trouble search structures
+std::vector<std::vector<Point>> distributions()
+{
+  CGAL::Random random(5);
+  std::vector<Point> cube, lattice, line, clusters;
+  for (int i = 0; i < 500; ++i)
+  {
+    const double x = random.uniform_real(0., 1.), y = random.uniform_real(0., 1.);
+    cube.emplace_back(x, y, random.uniform_real(0., 1.));
+    lattice.emplace_back(i % 8, (i / 8) % 8, i / 64);
+    line.emplace_back(x, 2. * x, -x);
+    clusters.emplace_back(x * 1e-8 + i % 2, y * 1e-8, 0.);
+  }
+  return {cube, lattice, line, clusters, {Point(1, 2, 3)}};
+}
+
+TEST(Neighbor_search, agrees_with_brute_force)
+{
+  for (const std::vector<Point>& points : distributions())
+  {
+    const Neighbor_search search(points, Tag());
+    for (std::size_t q = 0; q < points.size(); q += 17)
+    {
+      const Point query = points[q] + Vector(1e-3, 0., 0.);
+      std::vector<double> all;
+      for (const Point& p : points)
+        all.push_back(CGAL::squared_distance(query, p));
+      std::vector<double> sorted = all;
+      std::sort(sorted.begin(), sorted.end());
+
+      const std::size_t k = std::min<std::size_t>(17, points.size());
+      std::vector<double> nearest;
+      search.for_each_nearest(query, k,
+                              [&](std::size_t i, const Point& p, double squared_distance)
+                              {
+                                EXPECT_EQ(p, points[i]);
+                                EXPECT_DOUBLE_EQ(squared_distance, all[i]);
+                                nearest.push_back(all[i]);
+                              });
+      std::sort(nearest.begin(), nearest.end());
+      sorted.resize(k);
+      EXPECT_EQ(nearest, sorted); // distances and not indices: ties have no order
+
+      const double radius = 1.001 * std::sqrt(sorted.back());
+      std::set<std::size_t> expected, found;
+      for (std::size_t i = 0; i < points.size(); ++i)
+        if (all[i] <= radius * radius)
+          expected.insert(i);
+      search.for_each_within(query, radius,
+                             [&](std::size_t i, const Point&, double) { found.insert(i); });
+      EXPECT_EQ(found, expected);
+    }
+  }
+}
+
+TEST(Sample_spacing, of_random_points_and_of_a_lattice)
+{
+  // 4 pi area for 2000 points; a hexagonal lattice has sqrt(3) / 2 s^2 per point
+  const double s = std::sqrt(4. * CGAL_PI / 2000. * 2. / std::sqrt(3.));
+  EXPECT_NEAR(sample_spacing<Tag>(surfaces::sphere(2000, 6)) / s, 1., 0.03);
+
+  // the 18th neighbor is at 2 s, where 14.5 others are expected: sqrt(14.5 / 18) = 0.898
+  std::vector<Point> points;
+  for (int i = 0; i < 60; ++i)
+    for (int j = 0; j < 60; ++j)
+      points.emplace_back(0.01 * (i + 0.5 * (j % 2)), 0.01 * j * std::sqrt(3.) / 2., 0.);
+  EXPECT_NEAR(sample_spacing<Tag>(points), 0.00898, 1e-5);
+
+  EXPECT_EQ(sample_spacing<Tag>({Point(1, 1, 1)}), 0.);
+  EXPECT_EQ(sample_spacing<Tag>({Point(1, 1, 1), Point(1, 1, 1)}), 0.);
+}
+
+TEST(Relaxation, of_one_sample_among_three_points_by_hand)
+{
+  // h = 4, hence theta(r) = exp(-r^2). The sample at the origin has kappa = 1.
+  const std::vector<Point> points = {Point(1, 0, 0), Point(0, 1, 0), Point(0, 0, 2)};
+  const Curvature_weights weights(2.);
+  const Neighbor_search search(points, Tag());
+  const Attractors attractors{
+      search, {weights.attraction(0.), weights.attraction(20.), weights.attraction(1.)}};
+  const Vector attracted = attraction(attractors, Point(0, 0, 0), 4.);
+  // (w1, w2, 2 w3) / (w1 + w2 + w3) with w1 = 0.1 / e, w2 = 1.42890365 / e, w3 = 0.67142857 / e^4 / 2
+  EXPECT_NEAR(attracted.x(), 0.0646990443, 1e-6);
+  EXPECT_NEAR(attracted.y(), 0.9244870086, 1e-6);
+  EXPECT_NEAR(attracted.z(), 0.0216278943, 1e-6);
+
+  const Samples samples{{Point(0, 0, 0), Point(0.5, 0, 0), Point(0, -1, 0)}, {1., 0., 20.}};
+  const Neighbor_search sample_search(samples.points, Tag());
+  const std::vector<double> amplitude = {weights.repulsion_amplitude(1.),
+                                         weights.repulsion_amplitude(0.),
+                                         weights.repulsion_amplitude(20.)};
+  const Vector repelled = repulsion(samples, sample_search, amplitude, {}, 4., 0);
+  EXPECT_NEAR(repelled.x(), -0.4600472344, 1e-9);
+  EXPECT_NEAR(repelled.y(), 0.0799055312, 1e-9);
+  EXPECT_NEAR(repelled.z(), 0., 1e-15);
+
+  // both together, mu = 0.45
+  const Samples moved = relax<Tag>(
+      samples, attractors, weights, Relaxation{4., 0.45, false}, [](const Point&) { return 7.; },
+      Progress(no_callback));
+  EXPECT_NEAR(moved.points[0].x(), -0.1423222112, 1e-6);
+  EXPECT_NEAR(moved.points[0].y(), 0.9604444976, 1e-6);
+  EXPECT_NEAR(moved.points[0].z(), 0.0216278943, 1e-6);
+  EXPECT_EQ(moved.curvature[0], 7.);
+}
+
+TEST(Relaxation, without_anything_in_reach_stays)
+{
+  const std::vector<Point> far = {Point(100, 0, 0)};
+  const Neighbor_search search(far, Tag());
+  const Samples samples{{Point(0, 0, 0)}, {0.}};
+  const Samples moved = relax<Tag>(
+      samples, Attractors{search, {1.}}, Curvature_weights(2.), Relaxation{1., 0.45, true},
+      [](const Point&) { return 0.; }, Progress(no_callback));
+  EXPECT_EQ(moved.points[0], Point(0, 0, 0));
+}
+
+TEST(Density_weights, of_two_points_by_hand)
+{
+  const std::vector<Point> points = {Point(0, 0, 0), Point(1, 0, 0), Point(9, 0, 0)};
+  const Neighbor_search search(points, Tag());
+  const std::vector<double> weights =
+      density_weights<Tag>(points, search, 4., Progress(no_callback));
+  EXPECT_NEAR(weights[0], 1. + std::exp(-1.), 1e-15);
+  EXPECT_NEAR(weights[1], 1. + std::exp(-1.), 1e-15);
+  EXPECT_EQ(weights[2], 1.);
+}
+
+TEST(Loops, sums_do_not_depend_on_the_tag)
+{
+  const auto value = [](std::size_t i) { return 1. / (1. + static_cast<double>(i)); };
+  const double sequential = mean<CGAL::Sequential_tag>(100003, value);
+  EXPECT_EQ(sequential, mean<Tag>(100003, value));
+  EXPECT_NEAR(sequential * 100003., std::log(100003.) + 0.5772156649, 1e-5);
+}
+
+} // namespace
