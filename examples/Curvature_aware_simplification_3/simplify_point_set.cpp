@@ -171,6 +171,30 @@ void check_output(const std::string& filename)
     throw Error("cannot write " + filename + ": it is a folder");
 }
 
+// Text in full precision; ply as binary
+bool write(std::ostream& stream, const std::string& format, Point_set& points)
+{
+  const auto precision = CGAL::parameters::stream_precision(17);
+  if (format == "ply")
+  {
+    CGAL::IO::set_binary_mode(stream);
+    return CGAL::IO::write_PLY(stream, points);
+  }
+#ifdef CGAL_LINKED_WITH_LASLIB
+  if (format == "las")
+    return CGAL::IO::write_LAS(stream, points);
+#endif
+  if (!points.has_normal_map())
+  {
+    // as a plain range: CGAL 5.5 reads the normals of a Point_set_3 in any case
+    const std::vector<Kernel::Point_3> range(points.points().begin(), points.points().end());
+    return format == "off" ? CGAL::IO::write_OFF(stream, range, precision)
+                           : CGAL::IO::write_XYZ(stream, range, precision);
+  }
+  return format == "off" ? CGAL::IO::write_OFF(stream, points, precision)
+                         : CGAL::IO::write_XYZ(stream, points, precision);
+}
+
 // Writes beside the output and renames, so that there is the whole file or none.
 void write(const std::string& filename, Point_set& points)
 {
@@ -181,21 +205,7 @@ void write(const std::string& filename, Point_set& points)
   bool is_written = false;
   {
     std::ofstream stream(partial, std::ios::binary);
-    stream.precision(17);
-    const std::string format = extension(filename);
-    if (format == "ply")
-    {
-      CGAL::IO::set_binary_mode(stream);
-      is_written = CGAL::IO::write_PLY(stream, points);
-    }
-    else if (format == "off")
-      is_written = CGAL::IO::write_OFF(stream, points, CGAL::parameters::stream_precision(17));
-#ifdef CGAL_LINKED_WITH_LASLIB
-    else if (format == "las")
-      is_written = CGAL::IO::write_LAS(stream, points);
-#endif
-    else
-      is_written = CGAL::IO::write_XYZ(stream, points, CGAL::parameters::stream_precision(17));
+    is_written = write(stream, extension(filename), points);
     stream.flush();
     is_written = is_written && stream.good();
   }

@@ -1,0 +1,122 @@
+// Distance to the surface and running time of this package and of CGAL's WLOP, on the vertices of a
+// mesh, in one process: each method in turn, and the median of several rounds.
+//
+//   compare_with_wlop MESH NUMBER_OF_OUTPUT_POINTS [ROUNDS]
+
+#include <CGAL/AABB_traits.h>
+#include <CGAL/AABB_tree.h>
+#include <CGAL/AABB_triangle_primitive.h>
+#include <CGAL/IO/polygon_soup_io.h>
+#include <CGAL/Real_timer.h>
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/curvature_aware_simplify_point_set.h>
+#include <CGAL/wlop_simplify_and_regularize_point_set.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdio>
+#include <cstdlib>
+#include <functional>
+#include <iostream>
+#include <iterator>
+#include <string>
+#include <vector>
+
+using Kernel = CGAL::Simple_cartesian<double>;
+using Point = Kernel::Point_3;
+using Triangle = Kernel::Triangle_3;
+using Primitive = CGAL::AABB_triangle_primitive<Kernel, std::vector<Triangle>::iterator>;
+using Tree = CGAL::AABB_tree<CGAL::AABB_traits<Kernel, Primitive>>;
+using Tag = CGAL::Parallel_if_available_tag;
+namespace np = CGAL::parameters;
+
+struct Method
+{
+  std::string name;
+  std::function<std::vector<Point>(std::vector<Point>)> run;
+  std::vector<Point> output = {};
+  std::vector<double> times = {};
+};
+
+int main(int argc, char* argv[])
+{
+  std::vector<Point> points;
+  std::vector<std::vector<std::size_t>> faces;
+  if (argc < 3 || !CGAL::IO::read_polygon_soup(argv[1], points, faces) || faces.empty())
+  {
+    std::cerr << "Usage: compare_with_wlop MESH NUMBER_OF_OUTPUT_POINTS [ROUNDS]" << std::endl;
+    return EXIT_FAILURE;
+  }
+  const std::size_t n = std::stoul(argv[2]);
+  const std::size_t rounds = argc > 3 ? std::stoul(argv[3]) : 5;
+
+  std::vector<Triangle> triangles;
+  for (const std::vector<std::size_t>& face : faces)
+    for (std::size_t i = 2; i < face.size(); ++i)
+      triangles.emplace_back(points[face[0]], points[face[i - 1]], points[face[i]]);
+  Tree tree(triangles.begin(), triangles.end());
+  tree.accelerate_distance_queries();
+
+  const CGAL::Bbox_3 box = CGAL::bbox_3(points.begin(), points.end());
+  const double diagonal = std::hypot(box.x_span(), box.y_span(), box.z_span());
+  const double size = static_cast<double>(points.size());
+  const double paper_radius = 4. * diagonal / std::sqrt(size);
+  const double percentage = 100. * (static_cast<double>(n) + 0.5) / size;
+
+  const auto ours = [n](const auto& parameters)
+  {
+    return [n, parameters](const std::vector<Point>& input)
+    {
+      std::vector<Point> output;
+      CGAL::curvature_aware_simplify_point_set<Tag>(input, std::back_inserter(output),
+                                                    parameters.number_of_output_points(n));
+      return output;
+    };
+  };
+  const auto wlop = [percentage](const auto& parameters)
+  {
+    return [percentage, parameters](std::vector<Point> input) // it shuffles its input
+    {
+      std::vector<Point> output;
+      CGAL::wlop_simplify_and_regularize_point_set<Tag>(input, std::back_inserter(output),
+                                                        parameters.select_percentage(percentage));
+      return output;
+    };
+  };
+  std::vector<Method> methods = {
+      {"this package, defaults", ours(np::random_seed(0))},
+      {"this package, radius of the paper", ours(np::neighbor_radius(paper_radius))},
+      {"CGAL WLOP, defaults", wlop(np::require_uniform_sampling(false))},
+      {"CGAL WLOP, radius and iterations of the paper",
+       wlop(np::neighbor_radius(paper_radius).number_of_iterations(10))}};
+
+  for (std::size_t round = 0; round < rounds; ++round)
+    for (Method& method : methods)
+    {
+      CGAL::Real_timer timer;
+      timer.start();
+      method.output = method.run(points);
+      method.times.push_back(timer.time());
+    }
+
+  std::printf("%s: %zu -> %zu points, radius of the paper 4 D / sqrt(M) = %.4g D, %zu rounds\n",
+              argv[1], points.size(), n, paper_radius / diagonal, rounds);
+  std::printf("%-46s %7s %12s %12s %9s\n", "method", "points", "mean dist./D", "max dist./D",
+              "median s");
+  for (Method& method : methods)
+  {
+    double sum = 0., largest = 0.;
+    for (const Point& p : method.output)
+    {
+      const double distance = std::sqrt(tree.squared_distance(p)) / diagonal;
+      sum += distance;
+      largest = std::max(largest, distance);
+    }
+    std::sort(method.times.begin(), method.times.end());
+    std::printf("%-46s %7zu %12.3g %12.3g %9.3f\n", method.name.c_str(), method.output.size(),
+                sum / static_cast<double>(method.output.size()), largest,
+                method.times[method.times.size() / 2]);
+  }
+  return EXIT_SUCCESS;
+}
