@@ -12,6 +12,8 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
+#include <cstdint>
 #include <cstddef>
 #include <limits>
 #include <vector>
@@ -28,6 +30,7 @@ struct Features
 {
   std::vector<double> curvature;       // kappa: the surface variation, in [0, 1/3]
   std::vector<double> inverse_density; // 1 / rho = r^2 / k, r the distance to the k-th neighbor
+  std::vector<std::uint32_t> in_degree;
 };
 
 struct Local_features
@@ -62,16 +65,18 @@ double surface_variation(const std::array<double, 6>& covariance, double coordin
 
 // kappa and 1/rho at `query` from the `number_of_points` nearest points. When the query is itself a
 // point of the search, it is the first of them and not counted among the k neighbors.
-template <typename DiagonalizeTraits>
+struct No_visit { void operator()(std::size_t) const {} };
+template <typename DiagonalizeTraits, typename Visit = No_visit>
 Local_features local_features(const Neighbor_search& search, const Point& query,
-                              std::size_t number_of_points, double coordinate_error)
+                              std::size_t number_of_points, double coordinate_error, const Visit& visit = Visit())
 {
   // Sums relative to the query: differences of neighbors are small, their coordinates are not.
   double squared_radius = 0.;
   double x = 0., y = 0., z = 0., xx = 0., xy = 0., xz = 0., yy = 0., yz = 0., zz = 0.;
   search.for_each_nearest(query, number_of_points,
-                          [&](std::size_t, const Point& p, double squared_distance)
+                          [&](std::size_t j, const Point& p, double squared_distance)
                           {
+                            visit(j);
                             squared_radius = (std::max)(squared_radius, squared_distance);
                             const Vector v = p - query;
                             x += v.x();
@@ -105,15 +110,17 @@ Features compute_features(const Cloud& cloud, const Neighbor_search& search,
 {
   const std::size_t n = cloud.size();
   const std::size_t size = neighborhood_size(number_of_neighbors, n);
-  Features features{std::vector<double>(n), std::vector<double>(n)};
+  Features features{std::vector<double>(n), std::vector<double>(n), std::vector<std::uint32_t>(n)};
+  std::vector<std::atomic<std::uint32_t>> degree(n);
   for_each_index<ConcurrencyTag>(n, progress,
                                  [&](std::size_t i)
                                  {
                                    const Local_features local = local_features<DiagonalizeTraits>(
-                                       search, cloud.points[i], size, cloud.coordinate_error);
+                                       search, cloud.points[i], size, cloud.coordinate_error, [&](std::size_t j){ degree[j].fetch_add(1, std::memory_order_relaxed); });
                                    features.curvature[i] = local.curvature;
                                    features.inverse_density[i] = local.inverse_density;
                                  });
+  for (std::size_t i = 0; i < n; ++i) features.in_degree[i] = degree[i] - 1;
   return features;
 }
 
