@@ -36,14 +36,25 @@ struct Curvature_aware_simplification_report
   /// largest surface variation of an input point, which is scaled to 20
   double maximum_surface_variation = 0.;
 
+  /// number of distinct input points that were taken for outliers; they have no influence
+  std::size_t number_of_outliers = 0;
+  /// standard deviation of the distance of the other input points to the surface, as estimated
+  double noise_level = 0.;
+
   /// copying, checking and sorting the points, and building the search tree
   double sorting_time = 0.;
   /// surface variation and density of all input points
   double features_time = 0.;
-  /// stochastic selection
+  /// finding outliers
+  double outliers_time = 0.;
+  /// estimating the noise level
+  double noise_time = 0.;
+  /// stochastic selection, and what it depends on
   double selection_time = 0.;
   /// all iterations of the relaxation
   double relaxation_time = 0.;
+  /// final projection of the samples
+  double projection_time = 0.;
 };
 
 } // namespace CGAL

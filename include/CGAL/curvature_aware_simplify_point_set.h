@@ -15,6 +15,7 @@
 #include <CGAL/Curvature_aware_simplification_3/internal/relax_repeatedly.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/sample_spacing.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/select_points.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/simplify_adaptively.h>
 #include <CGAL/Curvature_aware_simplification_report.h>
 
 #include <CGAL/Named_function_parameters.h>
@@ -257,25 +258,31 @@ curvature_aware_simplify_point_set(const PointRange& points, OutputIterator outp
         cloud, search, parameters.number_of_neighbors, progress.part(0., 0.4));
     report.features_time = lap();
 
-    std::vector<Point> samples =
-        positions(cloud, select_points<ConcurrencyTag>(cloud, features, parameters));
-    report.selection_time = lap();
+    std::vector<Point> samples;
+    if (parameters.settings_of_the_paper)
+    {
+      samples = positions(cloud, select_points<ConcurrencyTag>(cloud, features, parameters));
+      report.selection_time = lap();
 
-    const double spacing = sample_spacing<ConcurrencyTag>(samples);
-    const double h = parameters.neighbor_radius > 0.
-                         ? cloud.frame.length_to_frame(parameters.neighbor_radius)
-                         : radius_in_spacings * spacing;
-    // A ball smaller than the rounding error of the coordinates holds nothing but its center.
-    if (h > std::numeric_limits<double>::epsilon())
-      samples = relax_repeatedly<ConcurrencyTag, Diagonalize_traits>(
-          samples, cloud, search, features, h, parameters, progress.part(0.4, 1.));
-    report.relaxation_time = lap();
+      const double spacing = sample_spacing<ConcurrencyTag>(samples);
+      const double h = parameters.neighbor_radius > 0.
+                           ? cloud.frame.length_to_frame(parameters.neighbor_radius)
+                           : radius_in_spacings * spacing;
+      // A ball smaller than the rounding error of the coordinates holds nothing but its center.
+      if (h > std::numeric_limits<double>::epsilon())
+        samples = relax_repeatedly<ConcurrencyTag, Diagonalize_traits>(
+            samples, cloud, search, features, h, parameters, progress.part(0.4, 1.));
+      report.relaxation_time = lap();
+      report.output_spacing = cloud.frame.length_from_frame(spacing);
+      report.neighbor_radius = cloud.frame.length_from_frame(h);
+    }
+    else
+      samples = simplify_adaptively<ConcurrencyTag>(cloud, search, features, parameters,
+                                                    progress.part(0.4, 1.), report);
 
     report.number_of_input_points = cloud.input_size();
     report.number_of_distinct_points = cloud.size();
     report.number_of_output_points = samples.size();
-    report.output_spacing = cloud.frame.length_from_frame(spacing);
-    report.neighbor_radius = cloud.frame.length_from_frame(h);
     report.maximum_surface_variation =
         *std::max_element(features.curvature.begin(), features.curvature.end());
 

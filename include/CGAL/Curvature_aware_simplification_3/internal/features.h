@@ -13,8 +13,8 @@
 #include <algorithm>
 #include <array>
 #include <atomic>
-#include <cstdint>
 #include <cstddef>
+#include <cstdint>
 #include <limits>
 #include <vector>
 
@@ -30,7 +30,7 @@ struct Features
 {
   std::vector<double> curvature;       // kappa: the surface variation, in [0, 1/3]
   std::vector<double> inverse_density; // 1 / rho = r^2 / k, r the distance to the k-th neighbor
-  std::vector<std::uint32_t> in_degree;
+  std::vector<std::uint32_t> votes;    // of how many other points this is one of the k nearest
 };
 
 struct Local_features
@@ -65,10 +65,15 @@ double surface_variation(const std::array<double, 6>& covariance, double coordin
 
 // kappa and 1/rho at `query` from the `number_of_points` nearest points. When the query is itself a
 // point of the search, it is the first of them and not counted among the k neighbors.
-struct No_visit { void operator()(std::size_t) const {} };
+struct No_visit
+{
+  void operator()(std::size_t) const {}
+};
+
 template <typename DiagonalizeTraits, typename Visit = No_visit>
 Local_features local_features(const Neighbor_search& search, const Point& query,
-                              std::size_t number_of_points, double coordinate_error, const Visit& visit = Visit())
+                              std::size_t number_of_points, double coordinate_error,
+                              const Visit& visit = Visit())
 {
   // Sums relative to the query: differences of neighbors are small, their coordinates are not.
   double squared_radius = 0.;
@@ -111,16 +116,20 @@ Features compute_features(const Cloud& cloud, const Neighbor_search& search,
   const std::size_t n = cloud.size();
   const std::size_t size = neighborhood_size(number_of_neighbors, n);
   Features features{std::vector<double>(n), std::vector<double>(n), std::vector<std::uint32_t>(n)};
-  std::vector<std::atomic<std::uint32_t>> degree(n);
+  std::vector<std::atomic<std::uint32_t>> votes(n); // sums of integers: the order does not matter
   for_each_index<ConcurrencyTag>(n, progress,
                                  [&](std::size_t i)
                                  {
                                    const Local_features local = local_features<DiagonalizeTraits>(
-                                       search, cloud.points[i], size, cloud.coordinate_error, [&](std::size_t j){ degree[j].fetch_add(1, std::memory_order_relaxed); });
+                                       search, cloud.points[i], size, cloud.coordinate_error,
+                                       [&](std::size_t j)
+                                       { votes[j].fetch_add(1, std::memory_order_relaxed); });
                                    features.curvature[i] = local.curvature;
                                    features.inverse_density[i] = local.inverse_density;
                                  });
-  for (std::size_t i = 0; i < n; ++i) features.in_degree[i] = degree[i] - 1;
+  for (std::size_t i = 0; i < n; ++i)
+    features.votes[i] = votes[i].load(std::memory_order_relaxed) - 1; // not its own
+
   return features;
 }
 

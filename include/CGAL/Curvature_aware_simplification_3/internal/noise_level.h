@@ -1,48 +1,95 @@
-#pragma once
-#include <CGAL/Curvature_aware_simplification_3/internal/Cloud.h>
-#include <CGAL/Curvature_aware_simplification_3/internal/fit_patch.h>
-#include <CGAL/Curvature_aware_simplification_3/internal/loops.h>
-namespace CGAL { namespace Curvature_aware_simplification_3 { namespace internal {
+// Copyright (c) 2026 The authors of Curvature_aware_simplification_3.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
 
-// (median residual of quadrics, median radius) at probes for k neighbors
-template <typename Tag>
-std::pair<double, double> median_residual(const std::vector<Point>& points, const Neighbor_search& search, std::size_t k, std::size_t probes)
+#ifndef CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_NOISE_LEVEL_H
+#define CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_NOISE_LEVEL_H
+
+#include <CGAL/Curvature_aware_simplification_3/internal/fit_quadric.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/loops.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace CGAL
 {
-  std::vector<double> s(probes), rad(probes);
-  for_each_index<Tag>(0, probes, [&](std::size_t i) {
-    const Point& x = points[(2 * i + 1) * points.size() / (2 * probes)];
-    Neighbors nb; sort_neighbors(search, x, k, nb);
-    double r2 = 0; for (auto& q : nb) r2 = (std::max)(r2, q.d2);
-    rad[i] = std::sqrt(r2);
-    if (!(r2 > 0)) return;
-    std::vector<double> w(nb.size(), 1.);
-    Patch p; p.n = pca_normal(nb, w); p.origin = x; p.radius = std::sqrt(r2); complete_frame(p);
-    double l; Vector off(0, 0, 0);
-    if (!solve_quadric(nb, w, off, p, l)) return;
-    std::vector<double> res; double s2 = 0;
-    for (auto& q : nb) { const double e = q.p * p.n - p.height(q.p * p.u, q.p * p.v); s2 += e * e; }
-    s[i] = std::sqrt(s2 / (std::max)(nb.size() - 6., 1.));
-  });
-  auto med = [](std::vector<double> v) { auto m = v.begin() + v.size() / 2; std::nth_element(v.begin(), m, v.end()); return *m; };
-  return {med(s), med(rad)};
+namespace Curvature_aware_simplification_3
+{
+namespace internal
+{
+
+// Medians over some probes, evenly along the Hilbert curve, of what a quadric leaves of the heights
+// of the k nearest points, and of their radius
+template <typename ConcurrencyTag>
+std::pair<double, double> median_residual(const std::vector<Point>& points,
+                                          const Neighbor_search& search, std::size_t k)
+{
+  // 512 values give a median to about 3 % of the noise
+  const std::size_t number_of_probes = (std::min)(std::size_t(512), points.size());
+  std::vector<double> residual(number_of_probes, 0.), radius(number_of_probes, 0.);
+  for_each_index<ConcurrencyTag>(
+      0, number_of_probes,
+      [&](std::size_t i)
+      {
+        Neighborhood neighborhood;
+        Local_surface surface;
+        surface.origin = points[(2 * i + 1) * points.size() / (2 * number_of_probes)];
+        neighborhood.collect(search, surface.origin, k);
+        radius[i] = neighborhood.radius;
+        if (!(neighborhood.radius > 0.))
+          return;
+        surface.n = plane_normal(neighborhood);
+        surface.complete_frame();
+        if (!fit_quadric(neighborhood, 0., surface))
+          return;
+        double sum = 0.;
+        for (const Neighborhood::Neighbor& neighbor : neighborhood.neighbors)
+        {
+          const double e = surface.residual(neighbor.position);
+          sum += e * e;
+        }
+        residual[i] =
+            std::sqrt(sum / (std::max)(static_cast<double>(neighborhood.size()) - 6., 1.));
+      });
+  const auto median = [](std::vector<double>& values)
+  {
+    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+    std::nth_element(values.begin(), middle, values.end());
+    return *middle;
+  };
+  return {median(residual), median(radius)};
 }
 
-template <typename Tag>
+// Standard deviation sigma of the distance of the points to the surface.
+//
+// The residual s of quadrics holds noise and shape. Noise is the same for all sizes of neighborhoods;
+// what a quadric misses of the shape is cubic in the radius, so s_k^2 = sigma^2 + c k^3. Two sizes
+// tell the two apart: sigma^2 = (8 s_k^2 - s_2k^2) / 7. The first must be wide against the noise,
+// here r >= 4 s: where the points look as thick as wide, a fit turns along the noise.
+template <typename ConcurrencyTag>
 double noise_level(const std::vector<Point>& points, const Neighbor_search& search)
 {
-  const std::size_t probes = (std::min)(std::size_t(512), points.size());
   std::size_t k = 17;
-  double s = 0, r = 0;
-  for (;;)
+  double residual = 0.;
+  for (;; k *= 2)
   {
-    std::tie(s, r) = median_residual<Tag>(points, search, (std::min)(k, points.size()), probes);
-    if (r >= 4 * s || k > 500 || k >= points.size()) break;
-    k = 2 * k;
+    if (2 * k > points.size() || k > 1000)
+      return 0.;
+    double radius;
+    std::tie(residual, radius) = median_residual<ConcurrencyTag>(points, search, k);
+    if (radius >= 4. * residual)
+      break;
   }
-  const std::size_t k2 = 2 * k;
-  if (k2 > points.size()) return 0;
-  const double s2 = median_residual<Tag>(points, search, k2, probes).first;
-  // s_k^2 = sigma^2 + c k^3: the residual of a smooth surface is cubic in the radius
-  return std::sqrt((std::max)(0., (8. * s * s - s2 * s2) / 7.));
+  const double wider = median_residual<ConcurrencyTag>(points, search, 2 * k).first;
+  return std::sqrt((std::max)(0., (8. * residual * residual - wider * wider) / 7.));
 }
-} } }
+
+} // namespace internal
+} // namespace Curvature_aware_simplification_3
+} // namespace CGAL
+
+#endif // CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_NOISE_LEVEL_H

@@ -90,6 +90,7 @@ struct Parameters
   double neighbor_radius;        // h in the caller's unit; 0: derived from the samples
   bool recompute_curvature;      // paper, sec. 5.3
   bool require_uniform_sampling; // the density weights of Huang et al. (2009)
+  bool settings_of_the_paper;    // the literal method instead of the adaptive one
   std::function<bool(double)> callback;
 };
 
@@ -167,6 +168,8 @@ Parameters read_parameters(const NamedParameters& np, std::size_t number_of_poin
       choose_parameter(get_parameter(np, internal_np::recompute_curvature), false);
   result.require_uniform_sampling =
       choose_parameter(get_parameter(np, internal_np::require_uniform_sampling), false);
+  result.settings_of_the_paper =
+      choose_parameter(get_parameter(np, internal_np::settings_of_the_paper), false);
   result.callback =
       choose_parameter(get_parameter(np, internal_np::callback), std::function<bool(double)>());
   return result;

@@ -31,6 +31,7 @@ CGAL_add_named_parameter(adaptivity_t, adaptivity, adaptivity)
 CGAL_add_named_parameter(number_of_neighbors_t, number_of_neighbors, number_of_neighbors)
 CGAL_add_named_parameter(repulsion_weight_t, repulsion_weight, repulsion_weight)
 CGAL_add_named_parameter(recompute_curvature_t, recompute_curvature, recompute_curvature)
+CGAL_add_named_parameter(settings_of_the_paper_t, settings_of_the_paper, settings_of_the_paper)
 CGAL_add_named_parameter(simplification_report_t, simplification_report, simplification_report)
 // end: Curvature_aware_simplification_3
 

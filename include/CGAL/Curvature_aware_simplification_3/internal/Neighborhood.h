@@ -1,0 +1,71 @@
+// Copyright (c) 2026 The authors of Curvature_aware_simplification_3.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_NEIGHBORHOOD_H
+#define CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_NEIGHBORHOOD_H
+
+#include <CGAL/Curvature_aware_simplification_3/internal/Neighbor_search.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL
+{
+namespace Curvature_aware_simplification_3
+{
+namespace internal
+{
+
+// The nearest input points of a point, relative to it, and the weight of each in a fit. Made to be
+// reused, so that a thread allocates memory once.
+struct Neighborhood
+{
+  struct Neighbor
+  {
+    Vector position; // relative to the center
+    double squared_distance;
+    double weight;
+  };
+
+  std::vector<Neighbor> neighbors;
+  double radius; // distance of the farthest
+
+  void collect(const Neighbor_search& search, const Point& center, std::size_t k)
+  {
+    neighbors.clear();
+    double squared_radius = 0.;
+    search.for_each_nearest(center, k,
+                            [&](std::size_t, const Point& p, double squared_distance)
+                            {
+                              squared_radius = (std::max)(squared_radius, squared_distance);
+                              neighbors.push_back({p - center, squared_distance, 1.});
+                            });
+    radius = std::sqrt(squared_radius);
+  }
+
+  std::size_t size() const { return neighbors.size(); }
+
+  // (1 - r^2 / R^2)^2 by the squared distances that `squared_distance(neighbor)` tells: smooth, and
+  // 0 at the border, so that a point that enters the neighborhood makes no difference. One that is
+  // alone on the border keeps a trace of weight.
+  template <typename Squared_distance>
+  void weight_by_distance(const Squared_distance& squared_distance)
+  {
+    const double factor = 1. / (1.0001 * radius * radius);
+    for (Neighbor& neighbor : neighbors)
+    {
+      const double t = 1. - factor * squared_distance(neighbor);
+      neighbor.weight = t * t;
+    }
+  }
+};
+
+} // namespace internal
+} // namespace Curvature_aware_simplification_3
+} // namespace CGAL
+
+#endif // CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_NEIGHBORHOOD_H

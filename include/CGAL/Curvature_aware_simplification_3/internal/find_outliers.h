@@ -1,0 +1,89 @@
+// Copyright (c) 2026 The authors of Curvature_aware_simplification_3.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_FIND_OUTLIERS_H
+#define CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_FIND_OUTLIERS_H
+
+#include <CGAL/Curvature_aware_simplification_3/internal/Cloud.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/features.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/loops.h>
+
+#include <algorithm>
+#include <atomic>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace CGAL
+{
+namespace Curvature_aware_simplification_3
+{
+namespace internal
+{
+
+// Which points do not belong to a surface: 1 for outliers. O(n + (k + log n) outliers)
+//
+// Every point votes for its k nearest. A point on a surface gets about k votes, at a corner of an
+// open surface half of them, and the density of the input cancels out: sparse regions vote for
+// themselves. An outlier near a surface has neighbors there, but is no neighbor of theirs. Outliers
+// far away vote for each other; they are those whose neighborhood is as thick as wide and has more
+// than 3 times the median radius. The votes of outliers do not count, which uncovers others.
+template <typename ConcurrencyTag>
+std::vector<std::uint8_t> find_outliers(const Cloud& cloud, const Neighbor_search& search,
+                                        const Features& features, std::size_t k)
+{
+  // kappa of points spread evenly in space: 0.17 on average for k = 16, and 97 % are above 0.07;
+  // that of a surface is, by Gaussian noise as large as the neighborhood, about 0.1 as well, but
+  // noise does not widen neighborhoods to 3 times the median
+  constexpr double volumetric = 0.07;
+  constexpr double far_radius = 3.;
+
+  const std::size_t n = cloud.size();
+  std::vector<double> area = features.inverse_density;
+  const auto median = area.begin() + static_cast<std::ptrdiff_t>(n / 2);
+  std::nth_element(area.begin(), median, area.end());
+  const double far_area = far_radius * far_radius * *median;
+
+  std::vector<std::uint8_t> is_outlier(n, 0);
+  std::vector<std::atomic<std::uint32_t>> votes(n); // sums of integers: the order does not matter
+  std::vector<std::size_t> found;
+  const std::size_t few_votes = 3 * k / 8;
+  for (std::size_t i = 0; i < n; ++i)
+  {
+    votes[i].store(features.votes[i], std::memory_order_relaxed);
+    if (features.votes[i] < few_votes ||
+        (features.inverse_density[i] > far_area && features.curvature[i] > volumetric))
+    {
+      is_outlier[i] = 1;
+      found.push_back(i);
+    }
+  }
+  // Where there are outliers, half of the votes are asked for.
+  while (!found.empty())
+  {
+    for_each_index<ConcurrencyTag>(0, found.size(),
+                                   [&](std::size_t i)
+                                   {
+                                     search.for_each_nearest(
+                                         cloud.points[found[i]], k + 1,
+                                         [&](std::size_t j, const Point&, double)
+                                         { votes[j].fetch_sub(1, std::memory_order_relaxed); });
+                                   });
+    found.clear();
+    for (std::size_t i = 0; i < n; ++i)
+      if (!is_outlier[i] && votes[i].load(std::memory_order_relaxed) < k / 2)
+      {
+        is_outlier[i] = 1;
+        found.push_back(i);
+      }
+  }
+  return is_outlier;
+}
+
+} // namespace internal
+} // namespace Curvature_aware_simplification_3
+} // namespace CGAL
+
+#endif // CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_FIND_OUTLIERS_H

@@ -1,0 +1,163 @@
+// Copyright (c) 2026 The authors of Curvature_aware_simplification_3.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_FIT_LOCAL_SURFACE_H
+#define CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_FIT_LOCAL_SURFACE_H
+
+#include <CGAL/Curvature_aware_simplification_3/internal/fit_quadric.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL
+{
+namespace Curvature_aware_simplification_3
+{
+namespace internal
+{
+
+// How local surfaces are fitted to the input
+struct Surface_fit
+{
+  const Neighbor_search& search;
+  std::size_t number_of_points; // of the search
+  double noise;                 // standard deviation sigma of the input's noise
+};
+
+// 18 neighbors, two rings around a point: three for each coefficient of a quadric
+constexpr std::size_t smallest_neighborhood = 19;
+// Four doublings above. Then noise is down to sigma / 6, and time grows faster than accuracy.
+constexpr std::size_t largest_neighborhood = 16 * 18 + 1;
+// A quadric is known to a third of sigma from a disk with a radius of some 6 sigma, where the layer
+// of noisy points looks flat; in a smaller ball it looks as thick as wide and has no normal.
+constexpr double smallest_radius_in_noise = 6.;
+// Welsch's weight exp(-e^2 / 2) with e in units of 2.5 standard deviations: 95 % of the efficiency
+// of least squares for Gaussian noise, and nothing left of what is 8 standard deviations away
+constexpr double residual_scale = 2.5;
+
+inline double robust_weight(double residual, double spread)
+{
+  const double e = residual / (residual_scale * spread);
+  return std::exp(-0.5 * e * e);
+}
+
+// Standard deviation of the residuals, from their median: no outlier and no second sheet moves it
+inline double residual_spread(const Neighborhood& neighborhood, const Local_surface& surface)
+{
+  std::vector<double> residuals;
+  residuals.reserve(neighborhood.size());
+  for (const Neighborhood::Neighbor& neighbor : neighborhood.neighbors)
+    residuals.push_back(std::abs(surface.residual(neighbor.position)));
+  const auto median = residuals.begin() + static_cast<std::ptrdiff_t>(residuals.size() / 2);
+  std::nth_element(residuals.begin(), median, residuals.end());
+  const double n = static_cast<double>(residuals.size());
+  // 1.4826: standard deviation over median of |x| for Gaussian x; the quadric used up 5 + 1
+  return 1.4826 * *median * std::sqrt(n / (std::max)(n - 5., 1.));
+}
+
+// The narrowest surface that can be trusted, around the foot point of x: a quadric by iteratively
+// reweighted least squares. `normal` is a guess, or the null vector where there is none.
+inline Local_surface fit_local_surface(const Surface_fit& fit, const Point& x, const Vector& normal)
+{
+  static thread_local Neighborhood neighborhood;
+  const bool has_guess = normal != NULL_VECTOR;
+  std::size_t k = (std::min)(smallest_neighborhood, fit.number_of_points);
+  const std::size_t largest = (std::min)(largest_neighborhood, fit.number_of_points);
+
+  Local_surface surface;
+  surface.origin = x;
+  if (has_guess)
+    surface.n = normal;
+  surface.complete_frame();
+  // A ball around a point off the surface holds more of the noise on its side: it is moved to the
+  // foot point. Three moves bring a point from 4 sigma to within the tolerance of sigma / 2.
+  for (int moves = 0;;)
+  {
+    neighborhood.collect(fit.search, surface.origin, k);
+    const double wanted_radius = smallest_radius_in_noise * fit.noise;
+    if (neighborhood.radius < wanted_radius && k < largest)
+    {
+      // points on a surface grow with the square of the radius; 10 % more spare a second query
+      const double ratio = wanted_radius / (neighborhood.radius + 1e-300);
+      const double factor = (std::min)((std::max)(1.1 * ratio * ratio, 1.2), 4.);
+      k = (std::min)(largest, static_cast<std::size_t>(factor * static_cast<double>(k)) + 1);
+      continue;
+    }
+    if (!(neighborhood.radius > 0.))
+      return surface;
+
+    const auto weight_by_distance = [&]
+    {
+      neighborhood.weight_by_distance([](const Neighborhood::Neighbor& neighbor)
+                                      { return neighbor.squared_distance; });
+    };
+    weight_by_distance();
+    if (!has_guess && moves == 0)
+    {
+      surface.n = plane_normal(neighborhood);
+      surface.complete_frame();
+    }
+    Local_surface fitted = surface;
+    fitted.radius = neighborhood.radius;
+    bool success = fit_quadric(neighborhood, fit.noise, fitted);
+    for (int round = 0; round < 2 && success; ++round)
+    {
+      fitted.spread = (std::max)(residual_spread(neighborhood, fitted), fit.noise);
+      if (!(fitted.spread > 0.))
+        break;
+      weight_by_distance();
+      for (Neighborhood::Neighbor& neighbor : neighborhood.neighbors)
+        neighbor.weight *= robust_weight(fitted.residual(neighbor.position), fitted.spread);
+      success = fit_quadric(neighborhood, fit.noise, fitted);
+    }
+    if (!success)
+      return surface;
+    const double distance = std::abs(fitted.c[0]);
+    fitted.move_to_foot_point();
+    if (!(fit.noise > 0. && distance > 0.5 * fit.noise && moves < 3))
+      return fitted;
+    ++moves;
+    surface.origin = fitted.origin;
+    surface.n = fitted.n;
+    surface.complete_frame();
+  }
+}
+
+// The surface from twice as many neighbors; false if that does not reduce its error. The narrower
+// one tells by the height which points belong to the same sheet, with a tolerance that grows
+// outwards as its own uncertainty does. Distances count in the tangent plane: in a ball, the noise
+// of a neighbor would decide over its weight.
+inline bool widen(const Surface_fit& fit, std::size_t k, Local_surface& surface)
+{
+  static thread_local Neighborhood neighborhood;
+  neighborhood.collect(fit.search, surface.origin, (std::min)(k, fit.number_of_points));
+  neighborhood.weight_by_distance(
+      [&](const Neighborhood::Neighbor& neighbor)
+      {
+        const double h = neighbor.position * surface.n;
+        return neighbor.squared_distance - h * h;
+      });
+  for (Neighborhood::Neighbor& neighbor : neighborhood.neighbors)
+  {
+    const double r2 = neighbor.squared_distance / (surface.radius * surface.radius);
+    neighbor.weight *=
+        robust_weight(surface.residual(neighbor.position), surface.spread * (1. + 0.5 * r2));
+  }
+  Local_surface wider = surface;
+  wider.radius = neighborhood.radius;
+  if (!fit_quadric(neighborhood, fit.noise, wider) || !(wider.error < surface.error))
+    return false;
+  wider.move_to_foot_point();
+  surface = wider;
+  return true;
+}
+
+} // namespace internal
+} // namespace Curvature_aware_simplification_3
+} // namespace CGAL
+
+#endif // CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_FIT_LOCAL_SURFACE_H
