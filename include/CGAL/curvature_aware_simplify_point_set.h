@@ -175,6 +175,15 @@ default here follows the spacing of the output instead.
                     smaller than the neighborhood.}
   \cgalParamNEnd
 
+  \cgalParamNBegin{settings_of_the_paper}
+    \cgalParamDescription{if `true`, the literal method of the paper is used, which knows neither the
+                          noise nor the outliers of the input; the parameters `curvature_weight`,
+                          `adaptivity`, `curvature_dependence`, `neighbor_radius`,
+                          `require_uniform_sampling` and `recompute_curvature` only matter then}
+    \cgalParamType{Boolean}
+    \cgalParamDefault{`false`}
+  \cgalParamNEnd
+
   \cgalParamNBegin{random_seed}
     \cgalParamDescription{seed of the random numbers, which are a function of it and of the position
                           of a point in the range: same input and seed, same result}

@@ -199,6 +199,7 @@ TEST(Named_parameters, chain_in_any_order)
   std::vector<Point> first, second;
   CGAL::curvature_aware_simplify_point_set<Tag>(range, std::back_inserter(first),
                                                 np::point_map(Point_map())
+                                                    .settings_of_the_paper(true)
                                                     .select_percentage(5)
                                                     .curvature_dependence(2.5)
                                                     .curvature_weight(0.6)
@@ -232,6 +233,7 @@ TEST(Named_parameters, chain_in_any_order)
                                                     .curvature_weight(0.6)
                                                     .curvature_dependence(2.5)
                                                     .select_percentage(5.)
+                                                    .settings_of_the_paper(true)
                                                     .point_map(Point_map()));
   // 0.4f is not 0.4
   ASSERT_EQ(first.size(), second.size());
@@ -245,7 +247,8 @@ TEST(Named_parameters, each_has_an_effect)
   const auto run = [&](const auto& parameters)
   {
     std::vector<Point> output;
-    CGAL::curvature_aware_simplify_point_set<Tag>(points, std::back_inserter(output), parameters);
+    CGAL::curvature_aware_simplify_point_set<Tag>(points, std::back_inserter(output),
+                                                  parameters.settings_of_the_paper(true));
     return output;
   };
   const std::vector<Point> standard = run(np::default_values());

@@ -32,13 +32,14 @@ using surfaces::Vector;
 using Tag = CGAL::Parallel_if_available_tag;
 namespace np = CGAL::parameters;
 
+// by the method of the paper, literally
 template <typename ConcurrencyTag = Tag, typename NamedParameters = np::Default_named_parameters>
 std::vector<Point> simplified(const std::vector<Point>& points,
                               const NamedParameters& parameters = np::default_values())
 {
   std::vector<Point> output;
   CGAL::curvature_aware_simplify_point_set<ConcurrencyTag>(points, std::back_inserter(output),
-                                                           parameters);
+                                                           parameters.settings_of_the_paper(true));
   return output;
 }
 
