@@ -80,7 +80,7 @@ TEST(Count, is_exact_for_every_seed_count_and_percentage)
   const std::vector<Point> points = surfaces::torus(2000, 3., 1., 1);
   EXPECT_EQ(simplified(points).size(), 100u); // 5 % by default
   for (unsigned int seed = 0; seed < 20; ++seed)
-    for (std::size_t n : {1, 2, 7, 333, 1999, 2000})
+    for (std::size_t n : {1u, 2u, 7u, 333u, 1999u, 2000u})
       EXPECT_EQ(simplified(points,
                            np::number_of_output_points(n).random_seed(seed).number_of_iterations(1))
                     .size(),
@@ -127,7 +127,7 @@ TEST(Result, is_bitwise_the_same_for_every_tag_and_number_of_threads)
   const std::vector<Point> sequential = simplified<CGAL::Sequential_tag>(points, parameters);
   EXPECT_EQ(sequential, simplified<CGAL::Parallel_if_available_tag>(points, parameters));
 #ifdef CGAL_LINKED_WITH_TBB
-  for (std::size_t threads : {1, 2, 3, 8})
+  for (std::size_t threads : {1u, 2u, 3u, 8u})
   {
     const tbb::global_control control(tbb::global_control::max_allowed_parallelism, threads);
     EXPECT_EQ(sequential, simplified<CGAL::Parallel_tag>(points, parameters)) << threads;
