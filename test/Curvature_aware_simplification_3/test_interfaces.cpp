@@ -35,7 +35,7 @@ class Kernels : public testing::Test
 using All_kernels = testing::Types<CGAL::Simple_cartesian<double>, CGAL::Simple_cartesian<float>,
                                    CGAL::Exact_predicates_inexact_constructions_kernel,
                                    CGAL::Exact_predicates_exact_constructions_kernel>;
-TYPED_TEST_SUITE(Kernels, All_kernels);
+TYPED_TEST_SUITE(Kernels, All_kernels, ); // the comma: -Wpedantic wants a variadic argument
 
 TYPED_TEST(Kernels, give_the_same_result)
 {
