@@ -1,0 +1,169 @@
+#include <comparison/chains.h>
+#include <comparison/methods.h>
+
+#include <CGAL/Real_timer.h>
+#include <CGAL/curvature_aware_simplify_point_set.h>
+#include <CGAL/random_simplify_point_set.h>
+
+#include <cstdio>
+#include <functional>
+#include <iterator>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace comparison
+{
+
+namespace
+{
+
+namespace np = CGAL::parameters;
+
+std::string text(const char* format, double value)
+{
+  char buffer[80];
+  std::snprintf(buffer, sizeof(buffer), format, value);
+  return buffer;
+}
+
+// radii in output spacings, from one ring of samples to CGAL's advice of two
+const std::vector<double> radii = {0.8, 1., 1.25, 1.6, 2.};
+
+template <typename NamedParameters>
+Points curvature_aware(const Task& task, const NamedParameters& parameters)
+{
+  Points output;
+  CGAL::curvature_aware_simplify_point_set<Tag>(
+      task.points, std::back_inserter(output),
+      parameters.number_of_output_points(task.count)
+          .simplification_report(std::ref(last_report())));
+  return output;
+}
+
+Method this_package()
+{
+  Method method{"this package", {{"defaults", [](const Task& t) {
+                                    return curvature_aware(t, np::random_seed(t.seed));
+                                  }}}};
+  for (double radius : {1., 3., 4.})
+    method.settings.push_back({text("radius %g spacings", radius), [=](const Task& t) {
+                                 return curvature_aware(t, np::neighbor_radius(radius * t.spacing));
+                               }});
+  for (double weight : {0.5, 1.})
+    method.settings.push_back({text("curvature weight %g", weight), [=](const Task& t)
+                               { return curvature_aware(t, np::curvature_weight(weight)); }});
+  return method;
+}
+
+// the method of the paper, with its radius read as 4 D / sqrt(M)
+Method this_package_with_the_settings_of_the_paper()
+{
+  const auto radius = [](const Task& t)
+  { return 4. * diagonal(t.points) / std::sqrt(static_cast<double>(t.points.size())); };
+  return {"this package, settings of the paper",
+          {{"radius 4 D / sqrt(M)",
+            [=](const Task& t) { return curvature_aware(t, np::neighbor_radius(radius(t))); }},
+           {"radius 4 D / sqrt(M), curvature recomputed", [=](const Task& t) {
+              return curvature_aware(t, np::neighbor_radius(radius(t)).recompute_curvature(true));
+            }}}};
+}
+
+Method this_package_uniform()
+{
+  const auto uniform = np::curvature_weight(0.).curvature_dependence(0.);
+  Method method{"this package, uniform",
+                {{"defaults", [=](const Task& t) { return curvature_aware(t, uniform); }}}};
+  for (double radius : {1., 3., 4.})
+    method.settings.push_back(
+        {text("radius %g spacings", radius), [=](const Task& t)
+         { return curvature_aware(t, uniform.neighbor_radius(radius * t.spacing)); }});
+  return method;
+}
+
+Method cgal_wlop()
+{
+  Method method{"CGAL WLOP",
+                {{"defaults", [](const Task& t) { return wlop(t.points, t.count, 0., 35); }}}};
+  for (unsigned int iterations : {10u, 35u})
+    for (double radius : radii)
+      method.settings.push_back(
+          {text("radius %g spacings, ", radius) + std::to_string(iterations) + " iterations",
+           [=](const Task& t) { return wlop(t.points, t.count, radius * t.spacing, iterations); }});
+  return method;
+}
+
+// A simplifier after preparations of the points, each preparation with each setting of it
+Method chain(const std::string& name,
+             const std::vector<std::pair<std::string, std::function<Points(const Task&)>>>& first,
+             const std::vector<Setting>& second)
+{
+  Method method{name, {}};
+  for (const auto& [first_name, prepare] : first)
+    for (const Setting& setting : second)
+      method.settings.push_back({first_name + ", " + setting.name,
+                                 [prepare = prepare, setting](const Task& t)
+                                 {
+                                   Task prepared = t;
+                                   prepared.points = prepare(t);
+                                   return setting.run(prepared);
+                                 }});
+  return method;
+}
+
+std::vector<Setting> short_wlop()
+{
+  std::vector<Setting> settings;
+  for (double radius : {1., 1.6})
+    settings.push_back({text("radius %g spacings, 10 iterations", radius), [=](const Task& t)
+                        { return wlop(t.points, t.count, radius * t.spacing, 10); }});
+  return settings;
+}
+
+Method cgal_random()
+{
+  return {"CGAL random",
+          {{"defaults", [](const Task& t)
+            {
+              Points points = t.points;
+              const double removed = 100. * (1. - (static_cast<double>(t.count) + 0.5) /
+                                                      static_cast<double>(points.size()));
+              points.erase(CGAL::random_simplify_point_set(points, removed), points.end());
+              return points;
+            }}}};
+}
+
+} // namespace
+
+CGAL::Curvature_aware_simplification_report& last_report()
+{
+  static CGAL::Curvature_aware_simplification_report report;
+  return report;
+}
+
+std::vector<Method> methods()
+{
+  const auto no_outliers = [](double spacings)
+  {
+    return std::make_pair(text("outliers beyond %g spacings removed", spacings),
+                          std::function<Points(const Task&)>(
+                              [=](const Task& t) { return without_outliers(t.points, spacings); }));
+  };
+  const auto smooth = [](unsigned int k)
+  {
+    return std::make_pair(
+        "smoothed over " + std::to_string(k),
+        std::function<Points(const Task&)>([=](const Task& t) { return smoothed(t.points, k); }));
+  };
+  const std::vector<Setting> then_wlop = short_wlop();
+
+  return {this_package(),
+          this_package_with_the_settings_of_the_paper(),
+          this_package_uniform(),
+          cgal_wlop(),
+          cgal_random(),
+          chain("remove_outliers, then CGAL WLOP", {no_outliers(2.), no_outliers(1.5)}, then_wlop),
+          chain("jet_smooth, then CGAL WLOP", {smooth(24), smooth(60)}, then_wlop)};
+}
+
+} // namespace comparison
