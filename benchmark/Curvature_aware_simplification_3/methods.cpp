@@ -8,15 +8,15 @@
 #include <cstdio>
 #include <functional>
 #include <iterator>
+#include <map>
+#include <sstream>
 #include <string>
 #include <utility>
 #include <vector>
 
-namespace comparison
-{
+namespace comparison {
 
-namespace
-{
+namespace {
 
 namespace np = CGAL::parameters;
 
@@ -56,16 +56,21 @@ Method this_package()
   return method;
 }
 
-// the method of the paper, with its radius read as 4 D / sqrt(M)
+// the radius of the paper, read as 4 D / sqrt(M)
+double radius_of_the_paper(const Task& t)
+{
+  return 4. * diagonal(t.points) / std::sqrt(static_cast<double>(t.points.size()));
+}
+
 Method this_package_with_the_settings_of_the_paper()
 {
-  const auto radius = [](const Task& t)
-  { return 4. * diagonal(t.points) / std::sqrt(static_cast<double>(t.points.size())); };
   return {"this package, settings of the paper",
-          {{"radius 4 D / sqrt(M)",
-            [=](const Task& t) { return curvature_aware(t, np::neighbor_radius(radius(t))); }},
-           {"radius 4 D / sqrt(M), curvature recomputed", [=](const Task& t) {
-              return curvature_aware(t, np::neighbor_radius(radius(t)).recompute_curvature(true));
+          {{"radius 4 D / sqrt(M)", [](const Task& t)
+            { return curvature_aware(t, np::neighbor_radius(radius_of_the_paper(t))); }},
+           {"radius 4 D / sqrt(M), curvature recomputed", [](const Task& t)
+            {
+              return curvature_aware(
+                  t, np::neighbor_radius(radius_of_the_paper(t)).recompute_curvature(true));
             }}}};
 }
 
@@ -134,6 +139,29 @@ Method cgal_random()
 }
 
 } // namespace
+
+Setting with_parameters(const std::string& parameters)
+{
+  std::map<std::string, std::string> values;
+  std::istringstream stream(parameters);
+  for (std::string word; stream >> word;)
+    values[word.substr(0, word.find('='))] = word.substr(word.find('=') + 1);
+  const auto number = [values](const std::string& name, double standard)
+  { return values.count(name) != 0 ? std::stod(values.at(name)) : standard; };
+
+  return {parameters, [=](const Task& t)
+          {
+            const auto chosen = np::curvature_weight(number("curvature_weight", 0.75))
+                                    .curvature_dependence(number("curvature_dependence", 2.))
+                                    .number_of_iterations(number("iterations", 10.))
+                                    .random_seed(t.seed);
+            if (values.count("radius") == 0)
+              return curvature_aware(t, chosen);
+            const double radius = values.at("radius") == "paper" ? radius_of_the_paper(t)
+                                                                 : number("radius", 2.) * t.spacing;
+            return curvature_aware(t, chosen.neighbor_radius(radius));
+          }};
+}
 
 CGAL::Curvature_aware_simplification_report& last_report()
 {

@@ -32,8 +32,7 @@ using namespace comparison;
 using nlohmann::json;
 namespace po = boost::program_options;
 
-namespace
-{
+namespace {
 
 // A field of the process status in bytes; 0 where there is no such file
 double status(const std::string& field)
@@ -108,7 +107,7 @@ json stages()
 int main(int argc, char* argv[])
 {
   std::string input_name, degradation, method_name, setting_name, measured_file, output_file,
-      input_file;
+      input_file, parameters;
   std::size_t count = 0, number_of_points = 0, rounds = 1;
   double percentage = 10.;
   unsigned int seed = 0;
@@ -124,6 +123,7 @@ int main(int argc, char* argv[])
     ("percentage", po::value(&percentage), "of the input points, if no count is given")
     ("method", po::value(&method_name), "a method of the list")
     ("setting", po::value(&setting_name), "one setting only")
+    ("parameters", po::value(&parameters), "of this package, instead of a method: curvature_weight=0 curvature_dependence=2 iterations=30 radius=2 or radius=paper")
     ("rounds", po::value(&rounds), "calls of each setting; their median time counts, without the first")
     ("seed", po::value(&seed), "of the input")
     ("measure", po::value(&measured_file), "measures the points of this file and runs nothing")
@@ -184,28 +184,35 @@ int main(int argc, char* argv[])
       return EXIT_SUCCESS;
     }
 
-    Points output;
-    bool is_found = false;
+    std::vector<Setting> settings;
     for (const Method& method : methods())
       if (method.name == method_name)
-        for (const Setting& setting : method.settings)
-          if (setting_name.empty() || setting.name == setting_name)
-          {
-            is_found = true;
-            try
-            {
-              json result = run(setting, task, input, rounds, output);
-              if (method.name.rfind("this package", 0) == 0)
-                result["stages"] = stages();
-              print(result);
-            }
-            catch (const std::exception& error)
-            {
-              print({{"setting", setting.name}, {"error", error.what()}});
-            }
-          }
-    if (!is_found)
+        settings = method.settings;
+    if (!parameters.empty())
+    {
+      method_name = "this package";
+      settings = {with_parameters(parameters)};
+    }
+    if (!setting_name.empty())
+      settings.erase(std::remove_if(settings.begin(), settings.end(),
+                                    [&](const Setting& s) { return s.name != setting_name; }),
+                     settings.end());
+    if (settings.empty())
       throw std::invalid_argument("there is no method or setting of this name; see --list");
+
+    Points output;
+    for (const Setting& setting : settings)
+      try
+      {
+        json result = run(setting, task, input, rounds, output);
+        if (method_name.rfind("this package", 0) == 0)
+          result["stages"] = stages();
+        print(result);
+      }
+      catch (const std::exception& error)
+      {
+        print({{"setting", setting.name}, {"error", error.what()}});
+      }
     if (!output_file.empty())
       CGAL::IO::write_points(output_file, output, CGAL::parameters::stream_precision(17));
     return EXIT_SUCCESS;

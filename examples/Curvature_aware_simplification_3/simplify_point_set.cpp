@@ -144,8 +144,7 @@ Point_set read(const std::string& filename)
     is_read = CGAL::IO::read_point_set(filename, points);
   }
   catch (...)
-  {
-  }
+  {}
   std::cerr.rdbuf(standard_error);
 
   if (!is_read)

@@ -26,8 +26,7 @@
 #include <limits>
 #include <vector>
 
-namespace CGAL
-{
+namespace CGAL {
 
 /*!
 \ingroup PkgCurvatureAwareSimplification3Algorithms
@@ -290,8 +289,7 @@ curvature_aware_simplify_point_set(const PointRange& points, OutputIterator outp
     }
   }
   catch (const Cancelled&)
-  {
-  }
+  {}
   return output;
 }
 

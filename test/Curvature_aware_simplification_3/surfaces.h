@@ -12,8 +12,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace surfaces
-{
+namespace surfaces {
 
 using Kernel = CGAL::Simple_cartesian<double>;
 using Point = Kernel::Point_3;

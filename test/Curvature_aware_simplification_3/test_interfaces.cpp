@@ -21,16 +21,14 @@
 #include <tuple>
 #include <vector>
 
-namespace
-{
+namespace {
 
 using Tag = CGAL::Parallel_if_available_tag;
 namespace np = CGAL::parameters;
 
 template <typename Kernel>
 class Kernels : public testing::Test
-{
-};
+{};
 
 using All_kernels = testing::Types<CGAL::Simple_cartesian<double>, CGAL::Simple_cartesian<float>,
                                    CGAL::Exact_predicates_inexact_constructions_kernel,

@@ -24,8 +24,7 @@
 #include <utility>
 #include <vector>
 
-namespace
-{
+namespace {
 
 using namespace CGAL::Curvature_aware_simplification_3::internal;
 using Tag = CGAL::Parallel_if_available_tag;

@@ -23,8 +23,7 @@
 #include <string>
 #include <vector>
 
-namespace
-{
+namespace {
 
 using surfaces::Kernel;
 using surfaces::Point;

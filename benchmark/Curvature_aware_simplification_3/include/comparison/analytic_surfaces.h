@@ -14,8 +14,7 @@
 #include <string>
 #include <vector>
 
-namespace comparison
-{
+namespace comparison {
 
 // A surface of which everything is known: a random point uniform per area, the exact distance, and
 // a parametrization of its border over [0, 1), if it has one

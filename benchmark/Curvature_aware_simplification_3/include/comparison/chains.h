@@ -13,8 +13,7 @@
 #include <vector>
 
 // CGAL's functions as steps of the chains that a user builds by hand
-namespace comparison
-{
+namespace comparison {
 
 // As in the manual's example: all points that are, on average, farther from their 24 neighbors than
 // `spacings` times the average spacing are taken for outliers.

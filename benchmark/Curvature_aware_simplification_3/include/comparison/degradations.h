@@ -14,8 +14,7 @@
 #include <utility>
 
 // What scanning does to points. Lengths are fractions of the diagonal of the bounding box.
-namespace comparison
-{
+namespace comparison {
 
 // normally distributed with mean 0 and variance 1 (Box and Muller)
 inline double normal_deviate(CGAL::Random& random)

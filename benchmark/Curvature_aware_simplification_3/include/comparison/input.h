@@ -18,8 +18,7 @@
 #include <string>
 #include <vector>
 
-namespace comparison
-{
+namespace comparison {
 
 struct Input
 {

@@ -18,8 +18,7 @@
 #include <utility>
 #include <vector>
 
-namespace comparison
-{
+namespace comparison {
 
 // kappa in [0, 20] of the clean points, as the paper's measure takes it
 inline std::vector<double> scaled_curvature(const Points& points)

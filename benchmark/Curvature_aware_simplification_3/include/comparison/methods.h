@@ -10,8 +10,7 @@
 #include <string>
 #include <vector>
 
-namespace comparison
-{
+namespace comparison {
 
 // What a method is asked for
 struct Task
@@ -38,6 +37,10 @@ struct Method
 };
 
 std::vector<Method> methods();
+
+// This package with some parameters given as text: `curvature_weight=0 iterations=30 radius=2`, the
+// radius in output spacings or `paper`
+Setting with_parameters(const std::string& parameters);
 
 // The stages of the last call of this package
 CGAL::Curvature_aware_simplification_report& last_report();

@@ -13,8 +13,7 @@
 #include <utility>
 #include <vector>
 
-namespace comparison
-{
+namespace comparison {
 
 // Projection onto the moving least squares surface of a point set (Alexa et al. 2001): a plane is
 // fitted to the points around with Gaussian weights, and over it a quadratic height field, onto

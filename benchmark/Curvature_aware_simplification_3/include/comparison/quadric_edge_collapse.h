@@ -12,8 +12,7 @@
 #include <cstddef>
 #include <stdexcept>
 
-namespace comparison
-{
+namespace comparison {
 
 // The mesh simplified by quadric error metrics (Garland and Heckbert 1997) to about n vertices: no
 // peer, since it knows how the points are connected, but a bound for what is possible.

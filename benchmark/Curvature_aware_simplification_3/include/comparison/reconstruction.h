@@ -15,8 +15,7 @@
 #include <numeric>
 #include <vector>
 
-namespace comparison
-{
+namespace comparison {
 
 // The mesh that a user gets from the points with CGAL's advancing front and its defaults
 inline Mesh reconstruct(const Points& points)

@@ -18,8 +18,7 @@
 #include <utility>
 #include <vector>
 
-namespace comparison
-{
+namespace comparison {
 
 // The surface that an output is measured against
 struct Reference

@@ -12,8 +12,7 @@
 #include <limits>
 #include <vector>
 
-namespace comparison
-{
+namespace comparison {
 
 using CGAL::Curvature_aware_simplification_3::internal::Neighbor_search;
 

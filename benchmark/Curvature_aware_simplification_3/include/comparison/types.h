@@ -11,8 +11,7 @@
 #include <vector>
 
 // What the comparison programs share. Everything is as plain as can be: points are a vector.
-namespace comparison
-{
+namespace comparison {
 
 using Kernel = CGAL::Simple_cartesian<double>;
 using Point = Kernel::Point_3;

@@ -27,12 +27,9 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL
-{
-namespace Curvature_aware_simplification_3
-{
-namespace internal
-{
+namespace CGAL {
+namespace Curvature_aware_simplification_3 {
+namespace internal {
 
 // The input as the stages see it: its distinct points, along a Hilbert curve, so that neighbors in
 // space are neighbors in memory.

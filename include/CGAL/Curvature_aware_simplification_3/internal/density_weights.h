@@ -13,12 +13,9 @@
 #include <cstddef>
 #include <vector>
 
-namespace CGAL
-{
-namespace Curvature_aware_simplification_3
-{
-namespace internal
-{
+namespace CGAL {
+namespace Curvature_aware_simplification_3 {
+namespace internal {
 
 // The local density of each point (Huang et al. 2009, eq. 3): 1 + sum of theta over the others,
 // which is the sum over all, since theta(0) = 1.

@@ -16,12 +16,9 @@
 #include <limits>
 #include <vector>
 
-namespace CGAL
-{
-namespace Curvature_aware_simplification_3
-{
-namespace internal
-{
+namespace CGAL {
+namespace Curvature_aware_simplification_3 {
+namespace internal {
 
 // What the selection and the weights know of a point (paper, sec. 4.1, step 1)
 struct Features

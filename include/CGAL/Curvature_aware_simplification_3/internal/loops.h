@@ -17,12 +17,9 @@
 #include <cstddef>
 #include <vector>
 
-namespace CGAL
-{
-namespace Curvature_aware_simplification_3
-{
-namespace internal
-{
+namespace CGAL {
+namespace Curvature_aware_simplification_3 {
+namespace internal {
 
 // kernel(i) for all i in [begin, end). The kernel writes only what belongs to i, so that the result
 // does not depend on the tag or on the number of threads.

@@ -20,12 +20,9 @@
 #include <cstddef>
 #include <vector>
 
-namespace CGAL
-{
-namespace Curvature_aware_simplification_3
-{
-namespace internal
-{
+namespace CGAL {
+namespace Curvature_aware_simplification_3 {
+namespace internal {
 
 // The positions of the selected points, along the Hilbert curve of the cloud, so that samples that
 // are neighbors in space are neighbors in memory

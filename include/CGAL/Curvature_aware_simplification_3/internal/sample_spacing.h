@@ -16,12 +16,9 @@
 #include <cstddef>
 #include <vector>
 
-namespace CGAL
-{
-namespace Curvature_aware_simplification_3
-{
-namespace internal
-{
+namespace CGAL {
+namespace Curvature_aware_simplification_3 {
+namespace internal {
 
 // The default of h: the ball around a sample holds two rings of others. CGAL's manual of WLOP asks for
 // at least that, and theta lets more have no effect.
