@@ -1,3 +1,11 @@
+#include <comparison/baselines/classical_lop.h>
+#include <comparison/baselines/farthest_points.h>
+#include <comparison/baselines/grid.h>
+#include <comparison/baselines/hierarchy.h>
+#include <comparison/baselines/mean_shift_clustering.h>
+#include <comparison/baselines/mls_particle_simulation.h>
+#include <comparison/baselines/stochastic_sampling.h>
+#include <comparison/baselines/voxel_centroids.h>
 #include <comparison/chains.h>
 #include <comparison/methods.h>
 
@@ -116,6 +124,57 @@ Method chain(const std::string& name,
   return method;
 }
 
+Method one_setting(const std::string& name,
+                   const std::function<Points(const Points&, std::size_t)>& simplify)
+{
+  return {name, {{"no parameters", [=](const Task& t) { return simplify(t.points, t.count); }}}};
+}
+
+Method lop()
+{
+  // from two rings of samples, CGAL's advice for WLOP, to four
+  Method method{"classical LOP", {}};
+  for (double radius : {2., 2.5, 3., 4.})
+    method.settings.push_back(
+        {text("radius %g spacings, 10 iterations", radius), [=](const Task& t)
+         { return classical_lop(t.points, t.count, radius * t.spacing, 10, t.seed); }});
+  return method;
+}
+
+// M near the mean size of a cluster leaves nothing to T, which is searched for the count; a large M
+// leaves all to it
+Method clustering(const std::string& name,
+                  const std::function<Points(const Points&, std::size_t, std::size_t)>& simplify)
+{
+  Method method{name, {}};
+  for (double factor : {3., 2., 5.})
+    method.settings.push_back({text("clusters of at most %g times the mean size", factor),
+                               [=](const Task& t)
+                               {
+                                 const double mean_size = static_cast<double>(t.points.size()) /
+                                                          static_cast<double>(t.count);
+                                 const double size = std::max(2., factor * mean_size);
+                                 return simplify(t.points, t.count, static_cast<std::size_t>(size));
+                               }});
+  return method;
+}
+
+Method particle_simulation()
+{
+  Method method{"MLS particle simulation", {}};
+  for (double scale : {0.01, 0.005, 0.02, 1e9}) // the last one spreads evenly
+    for (double force : {0.5, 0.8})
+      method.settings.push_back({text("k = %g, ", force) + text("s = %g", scale), [=](const Task& t)
+                                 {
+                                   Particle_simulation_parameters parameters;
+                                   parameters.force_constant = force;
+                                   parameters.scale = scale;
+                                   parameters.random_seed = t.seed;
+                                   return mls_particle_simulation(t.points, t.count, parameters);
+                                 }});
+  return method;
+}
+
 std::vector<Setting> short_wlop()
 {
   std::vector<Setting> settings;
@@ -149,8 +208,11 @@ Setting with_parameters(const std::string& parameters)
   const auto number = [values](const std::string& name, double standard)
   { return values.count(name) != 0 ? std::stod(values.at(name)) : standard; };
 
-  return {parameters, [=](const Task& t)
+  return {parameters, [=](const Task& given)
           {
+            Task t = given;
+            if (values.count("remove_outliers") != 0)
+              t.points = without_outliers(t.points, number("remove_outliers", 2.));
             const auto chosen = np::curvature_weight(number("curvature_weight", 0.75))
                                     .curvature_dependence(number("curvature_dependence", 2.))
                                     .number_of_iterations(number("iterations", 10.))
@@ -183,15 +245,39 @@ std::vector<Method> methods()
         "smoothed over " + std::to_string(k),
         std::function<Points(const Task&)>([=](const Task& t) { return smoothed(t.points, k); }));
   };
+  // both without a parameter of their own, with outliers and noise in one input
+  const auto no_outliers_and_smooth = std::make_pair(
+      std::string("outliers beyond 2 spacings removed, smoothed over 24"),
+      std::function<Points(const Task&)>([](const Task& t)
+                                         { return smoothed(without_outliers(t.points, 2.), 24); }));
   const std::vector<Setting> then_wlop = short_wlop();
+  const std::vector<Setting> then_voxels =
+      one_setting("", [](const Points& p, std::size_t n) { return voxel_centroids_to_count(p, n); })
+          .settings;
 
-  return {this_package(),
-          this_package_with_the_settings_of_the_paper(),
-          this_package_uniform(),
-          cgal_wlop(),
-          cgal_random(),
-          chain("remove_outliers, then CGAL WLOP", {no_outliers(2.), no_outliers(1.5)}, then_wlop),
-          chain("jet_smooth, then CGAL WLOP", {smooth(24), smooth(60)}, then_wlop)};
+  return {
+      this_package(),
+      this_package_with_the_settings_of_the_paper(),
+      this_package_uniform(),
+      lop(),
+      cgal_wlop(),
+      clustering("CGAL hierarchy", [](const Points& p, std::size_t n, std::size_t size)
+                 { return hierarchy_points_of_size(p, n, static_cast<unsigned int>(size)); }),
+      one_setting("CGAL grid", grid_points_to_count),
+      cgal_random(),
+      one_setting("voxel centroids",
+                  [](const Points& p, std::size_t n) { return voxel_centroids_to_count(p, n); }),
+      one_setting("stochastic sampling",
+                  [](const Points& p, std::size_t n) { return stochastic_sampling(p, n); }),
+      clustering("mean-shift clustering", mean_shift_points_of_size),
+      particle_simulation(),
+      one_setting("farthest points", farthest_points),
+      chain("remove_outliers, then CGAL WLOP", {no_outliers(2.), no_outliers(1.5)}, then_wlop),
+      chain("remove_outliers, then voxel centroids", {no_outliers(2.), no_outliers(1.5)},
+            then_voxels),
+      chain("jet_smooth, then CGAL WLOP", {smooth(24), smooth(60)}, then_wlop),
+      chain("jet_smooth, then voxel centroids", {smooth(24), smooth(60)}, then_voxels),
+      chain("remove_outliers, jet_smooth, then CGAL WLOP", {no_outliers_and_smooth}, then_wlop)};
 }
 
 } // namespace comparison

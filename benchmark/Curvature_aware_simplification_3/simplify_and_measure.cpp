@@ -124,6 +124,7 @@ int main(int argc, char* argv[])
     ("method", po::value(&method_name), "a method of the list")
     ("setting", po::value(&setting_name), "one setting only")
     ("parameters", po::value(&parameters), "of this package, instead of a method: curvature_weight=0 curvature_dependence=2 iterations=30 radius=2 or radius=paper")
+    ("defaults-only", "the first setting of the method only")
     ("rounds", po::value(&rounds), "calls of each setting; their median time counts, without the first")
     ("seed", po::value(&seed), "of the input")
     ("measure", po::value(&measured_file), "measures the points of this file and runs nothing")
@@ -139,7 +140,7 @@ int main(int argc, char* argv[])
       std::cout << options;
     if (values.count("list") != 0)
     {
-      json list;
+      nlohmann::ordered_json list; // in the order of the tables
       for (const Method& method : methods())
         for (const Setting& setting : method.settings)
           list[method.name].push_back(setting.name);
@@ -197,6 +198,8 @@ int main(int argc, char* argv[])
       settings.erase(std::remove_if(settings.begin(), settings.end(),
                                     [&](const Setting& s) { return s.name != setting_name; }),
                      settings.end());
+    if (values.count("defaults-only") != 0 && settings.size() > 1)
+      settings.resize(1);
     if (settings.empty())
       throw std::invalid_argument("there is no method or setting of this name; see --list");
 

@@ -39,7 +39,8 @@ struct Method
 std::vector<Method> methods();
 
 // This package with some parameters given as text: `curvature_weight=0 iterations=30 radius=2`, the
-// radius in output spacings or `paper`
+// radius in output spacings or `paper`; with `remove_outliers=2` after CGAL's function, the threshold
+// in input spacings
 Setting with_parameters(const std::string& parameters);
 
 // The stages of the last call of this package
