@@ -91,10 +91,10 @@ class Comparison:
             index = pathlib.Path(folder) / "index.jsonl"
             for line in index.read_text().splitlines() if index.exists() else []:
                 entry = json.loads(line)
-                if not entry.get("error"):
+                if entry.get("file"):
                     file = pathlib.Path(folder) / entry["file"]
                     measured = self.call([*case.options(), "--measure", str(file)])[0]
-                    entry = {**measured, **entry}
+                    entry = {**measured, **{k: v for k, v in entry.items() if v is not None}}
                 results.append(entry)
         return results
 

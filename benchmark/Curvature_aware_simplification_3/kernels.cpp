@@ -44,7 +44,7 @@ struct Stages
       features(compute_features<Tag, Diagonalize_traits>(cloud, search, 16, Progress(no_callback))),
       parameters(read_parameters(
           CGAL::parameters::number_of_output_points(size / 10).number_of_iterations(1), size)),
-      samples(positions(cloud, select_points<Tag>(cloud, features, parameters))),
+      samples(start_positions(cloud, select_points<Tag>(cloud, features, parameters)).samples),
       radius(radius_in_spacings * sample_spacing<Tag>(samples))
   {}
 

@@ -256,8 +256,9 @@ curvature_aware_simplify_point_set(const PointRange& points, OutputIterator outp
         cloud, search, parameters.number_of_neighbors, progress.part(0., 0.4));
     report.features_time = lap();
 
-    std::vector<Point> samples =
-        positions(cloud, select_points<ConcurrencyTag>(cloud, features, parameters));
+    const Start start =
+        start_positions(cloud, select_points<ConcurrencyTag>(cloud, features, parameters));
+    std::vector<Point> samples = start.samples;
     report.selection_time = lap();
 
     const double spacing = sample_spacing<ConcurrencyTag>(samples);
@@ -272,7 +273,7 @@ curvature_aware_simplify_point_set(const PointRange& points, OutputIterator outp
 
     report.number_of_input_points = cloud.input_size();
     report.number_of_distinct_points = cloud.size();
-    report.number_of_output_points = samples.size();
+    report.number_of_output_points = parameters.number_of_output_points;
     report.output_spacing = cloud.frame.length_from_frame(spacing);
     report.neighbor_radius = cloud.frame.length_from_frame(h);
     report.maximum_surface_variation =
@@ -281,11 +282,12 @@ curvature_aware_simplify_point_set(const PointRange& points, OutputIterator outp
     progress.report(1.);
     choose_parameter(get_parameter(np, internal_np::simplification_report), std::ref(report))
         .get() = report;
-    for (const Point& sample : samples)
+    for (std::size_t i = 0; i < samples.size(); ++i)
     {
-      const Point p = cloud.frame.from_frame(sample);
-      *output++ = typename Geom_traits::Point_3(static_cast<FT>(p.x()), static_cast<FT>(p.y()),
-                                                static_cast<FT>(p.z()));
+      const Point p = cloud.frame.from_frame(samples[i]);
+      for (std::size_t copy = 0; copy < start.copies[i]; ++copy)
+        *output++ = typename Geom_traits::Point_3(static_cast<FT>(p.x()), static_cast<FT>(p.y()),
+                                                  static_cast<FT>(p.z()));
     }
   }
   catch (const Cancelled&)

@@ -608,6 +608,17 @@ TEST(Degenerate, duplicates)
   check_degenerate("one point 1,801 times", points, {20, 200, 201, 2000});
 }
 
+TEST(Degenerate, a_million_equal_points)
+{
+  // a search tree over equal points would be a million levels deep
+  const std::vector<Point> points(1000000, Point(1, 2, 3));
+  for (std::size_t n : {1u, 50000u, 1000000u})
+  {
+    const std::vector<Point> output = simplified(points, np::number_of_output_points(n));
+    EXPECT_EQ(output, std::vector<Point>(n, Point(1, 2, 3)));
+  }
+}
+
 TEST(Degenerate, lines_and_planes)
 {
   CGAL::Random random(19);

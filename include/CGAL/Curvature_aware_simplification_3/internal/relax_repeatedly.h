@@ -24,9 +24,17 @@ namespace CGAL {
 namespace Curvature_aware_simplification_3 {
 namespace internal {
 
-// The positions of the selected points, along the Hilbert curve of the cloud, so that samples that
-// are neighbors in space are neighbors in memory
-inline std::vector<Point> positions(const Cloud& cloud, const std::vector<std::size_t>& selected)
+// The distinct positions of the selected points, along the Hilbert curve of the cloud, so that samples
+// that are neighbors in space are neighbors in memory
+struct Start
+{
+  std::vector<Point> samples;
+  std::vector<std::size_t> copies; // how many of the selected points are at each position
+};
+
+// Duplicates are selected only where there are too few distinct points. Nothing would tell their
+// samples apart in eq. 8, so one is relaxed for all of them.
+inline Start start_positions(const Cloud& cloud, const std::vector<std::size_t>& selected)
 {
   std::vector<std::size_t> order;
   order.reserve(selected.size());
@@ -34,11 +42,18 @@ inline std::vector<Point> positions(const Cloud& cloud, const std::vector<std::s
     order.push_back(cloud.distinct_index[i]);
   std::sort(order.begin(), order.end());
 
-  std::vector<Point> result;
-  result.reserve(order.size());
-  for (std::size_t j : order)
-    result.push_back(cloud.points[j]);
-  return result;
+  Start start;
+  for (std::size_t i = 0; i < order.size(); ++i)
+  {
+    if (i > 0 && order[i] == order[i - 1])
+      ++start.copies.back();
+    else
+    {
+      start.samples.push_back(cloud.points[order[i]]);
+      start.copies.push_back(1);
+    }
+  }
+  return start;
 }
 
 // The samples after all iterations of eq. 8 with support radius h, in the frame
