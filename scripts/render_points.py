@@ -126,6 +126,7 @@ def main():
     parser.add_argument("--focus", type=float, nargs=2, default=(0.0, 0.0),
                         help="the center of a close-up: right and up, from -1 to 1 in the whole picture")
     parser.add_argument("--zoom", type=float, default=1.0)
+    parser.add_argument("--columns", type=int, help="pictures in a row; default: all")
     parser.add_argument("--size", type=int, default=600, help="width and height of one picture")
     parser.add_argument("--ball", type=float, default=0.3, help="radius of the balls, in spacings")
     arguments = parser.parse_args()
@@ -135,13 +136,16 @@ def main():
     window = vtk.vtkRenderWindow()
     window.SetOffScreenRendering(1)
     window.SetMultiSamples(8)
-    window.SetSize(arguments.size * len(arguments.points), arguments.size)
+    columns = arguments.columns or len(arguments.points)
+    rows = -(-len(arguments.points) // columns)
+    window.SetSize(arguments.size * columns, arguments.size * rows)
     for i, item in enumerate(arguments.points):
         filename, _, title = item.partition("=")
         points, _ = read(filename)
         renderer = vtk.vtkRenderer()
         renderer.SetBackground(1, 1, 1)
-        renderer.SetViewport(i / len(arguments.points), 0, (i + 1) / len(arguments.points), 1)
+        left, top = (i % columns) / columns, 1 - i // columns / rows
+        renderer.SetViewport(left, top - 1 / rows, left + 1 / columns, top)
         # coordinates relative to the center: the graphics card computes with floats
         center = (low + high) / 2
         height = place_camera(renderer.GetActiveCamera(), reference - center, arguments)

@@ -11,7 +11,7 @@ import subprocess
 import sys
 
 from comparison import Case, Comparison
-from page import ratios, table
+from page import ratios, stages, table, write_csv
 from paper_figures import Figures
 
 HERE = pathlib.Path(__file__).resolve().parent
@@ -100,6 +100,8 @@ def main():
     parser.add_argument("--shared", default=str(HERE / "../../../shared/data"),
                         help="folder of scans that are not part of the project")
     parser.add_argument("--output", default=str(HERE / "results"))
+    parser.add_argument("--reuse", action="store_true",
+                        help="take the results that are there, and run what is missing")
     parser.add_argument("--seconds", type=int, default=300, help="limit for one method")
     arguments = parser.parse_args()
 
@@ -111,9 +113,12 @@ def main():
     external = None if quick else HERE / "external_programs.py"
 
     results, sections = {}, []
-    for case in cases(arguments.mode, shared, meshes):
-        results[case.title()] = comparison.run(case, external=external)
-        sections.append(f"### {case.title()}\n\n{table(results[case.title()])}")
+    all_cases = {case.title(): case for case in cases(arguments.mode, shared, meshes)}
+    for title, case in all_cases.items():
+        is_there = arguments.reuse and comparison.file(case).exists()
+        results[title] = comparison.read(case) if is_there else comparison.run(case, external=external)
+        sections.append(f"### {title}\n\n{table(results[title])}\n{stages(results[title])}")
+    write_csv(output / "results.csv", [r for rows in results.values() for r in rows])
 
     igea = shared / "igea.ply"
     figures = Figures(comparison, meshes, igea if igea.exists() else None, render, output)
@@ -127,10 +132,14 @@ def main():
             "## This package at its defaults over the best tuned peer\n", ratios(results),
             "## All methods\n", *sections]
     if paper:
-        page += ["## The paper, row by row\n",
-                 "Fig. 7 and 8 of the paper, all methods on a well and on a poorly distributed "
-                 "scan, are the tables above for clean input and for density 10.\n"]
+        page += ["## The paper, row by row\n"]
         page += [f"### {title}\n\n{make()}" for title, make in paper]
+        # the paper's Armadillo and Indolady: evenly and unevenly sampled
+        for figure, title in ((7, "Igea, clean"), (8, "Igea, density 10")):
+            if title in all_cases:
+                picture = figures.all_methods(f"figure_{figure}", all_cases[title], results[title],
+                                              external)
+                page.append(f"### Fig. {figure}: all methods on {title}\n\n{picture}")
     page += ["## Stages\n", kernels(build / "kernels", output)]
     (output / "README.md").write_text("\n".join(page))
     print(f"Results are in {output / 'README.md'}")

@@ -61,6 +61,14 @@ class Comparison:
         listed = subprocess.run([self.program, "--list"], capture_output=True, text=True, check=True)
         return list(json.loads(listed.stdout))
 
+    def file(self, case):
+        return self.folder / (case.title().replace(",", "").replace(" ", "_") + ".jsonl")
+
+    def read(self, case):
+        """the results of an earlier run"""
+        with open(self.file(case)) as file:
+            return [json.loads(line) for line in file]
+
     def run(self, case, methods=None, external=None):
         """all settings of all methods; returns and stores the list of results"""
         results = []
@@ -75,19 +83,24 @@ class Comparison:
         if self.tuned:
             self.time_again(case, results)
         results = [{**result, "case": case.title()} for result in results]
-        with open(self.folder / (case.title().replace(" ", "_") + ".jsonl"), "w") as file:
+        with open(self.file(case), "w") as file:
             file.writelines(json.dumps(result) + "\n" for result in results)
         return results
 
+    def call_external(self, case, external, folder, methods=None):
+        """programs outside read and write files; `folder` then has their points and an index"""
+        points = pathlib.Path(folder) / "input.ply"
+        self.call([*case.options(), "--write-input", str(points)])
+        count = self.call([*case.options(), "--parameters", "iterations=0"])[0]["count"]
+        subprocess.run(["/usr/bin/python3", str(external), str(points), str(folder), "--count",
+                        str(count), "--timeout", str(self.seconds),
+                        *(["--methods", ",".join(methods)] if methods else [])], check=False)
+
     def run_external(self, case, external):
-        """programs outside: they read and write files, and are measured like the others"""
+        """all settings of the programs outside, measured like the others"""
         results = []
         with tempfile.TemporaryDirectory() as folder:
-            points = pathlib.Path(folder) / "input.ply"
-            self.call([*case.options(), "--write-input", str(points)])
-            count = self.call([*case.options(), "--parameters", "iterations=0"])[0]["count"]
-            subprocess.run(["/usr/bin/python3", str(external), str(points), folder, "--count",
-                            str(count), "--timeout", str(self.seconds)], check=False)
+            self.call_external(case, external, folder)
             index = pathlib.Path(folder) / "index.jsonl"
             for line in index.read_text().splitlines() if index.exists() else []:
                 entry = json.loads(line)
@@ -108,6 +121,26 @@ class Comparison:
                                best["setting"], "--rounds", "4"])
             if again and "seconds" in again[-1]:
                 best["seconds"] = again[-1]["seconds"]
+
+
+def write_outputs(comparison, case, results, external, folder):
+    """the points of the best setting of each method as files: [(method, file)]"""
+    folder = pathlib.Path(folder)
+    best = [settings[0] for settings in map(lambda m: sorted(settings_of(results, m),
+            key=lambda r: r["recon_mean"]), dict.fromkeys(r["method"] for r in results)) if settings]
+    written = []
+    for i, result in enumerate(best):
+        if result["method"] != EDGE_COLLAPSE and not result.get("timed"):
+            file = folder / f"{i}.ply"
+            comparison.call([*case.options(), "--method", result["method"], "--setting",
+                             result["setting"], "--write", str(file)])
+            written.append((result["method"], file))
+    outside = [result["method"] for result in best if result.get("timed")]
+    if outside and external:
+        comparison.call_external(case, external, folder, outside)
+        written += [(r["method"], folder / r["file"]) for r in best
+                    if r.get("timed") and (folder / r["file"]).exists()]
+    return written
 
 
 def settings_of(results, method):

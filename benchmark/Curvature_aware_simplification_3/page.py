@@ -1,6 +1,7 @@
 """Tables and plots from the results of the comparison. Nothing in them is typed."""
 
 import collections
+import csv
 
 import comparison
 
@@ -64,3 +65,32 @@ def ratios(all_results):
         lines.append(f"| {case} | " + " | ".join(f"{v:.2f}" for v in values)
                      + f" | {by_mean['method']}, {by_mean.get('setting', '')} |")
     return "\n".join(lines) + "\n"
+
+
+def write_csv(file, results):
+    """all results, flat"""
+    flat = [{**{k: v for k, v in r.items() if k != "stages"},
+             **{f"{k}_seconds": v for k, v in r.get("stages", {}).items()}} for r in results]
+    first = ["case", "method", "setting", "points", "error"]
+    fields = first + sorted({key for r in flat for key in r} - set(first) - {"file", "input"})
+    with open(file, "w", newline="") as stream:
+        writer = csv.DictWriter(stream, fields, extrasaction="ignore")
+        writer.writeheader()
+        writer.writerows(flat)
+
+
+def write_table(file, rows):
+    """a table of the paper: rows of equal length, the first with the titles"""
+    with open(file, "w", newline="") as stream:
+        csv.writer(stream).writerows(rows)
+    lines = ["| " + " | ".join(str(cell) for cell in row) + " |" for row in rows]
+    return "\n".join([lines[0], "|---" * len(rows[0]) + "|", *lines[1:]]) + "\n"
+
+
+def stages(results):
+    """of this package at its defaults"""
+    ours = comparison.settings_of(results, "this package")
+    if not ours or "stages" not in ours[0]:
+        return ""
+    parts = ", ".join(f"{k} {1000 * v:.0f}" for k, v in ours[0]["stages"].items())
+    return f"Stages of this package, in ms: {parts}.\n"

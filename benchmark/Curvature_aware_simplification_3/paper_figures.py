@@ -1,14 +1,15 @@
 """Table 1 and Fig. 2 to 8 of the paper, row by row, from data at hand."""
 
 import pathlib
+import tempfile
 
 import matplotlib
 
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt
 
-from comparison import Case
-from page import number
+from comparison import Case, write_outputs
+from page import number, write_table
 
 PAPER_TABLE_1 = [
     # model, input points, output points, iterations, seconds, error, stand-in
@@ -42,18 +43,17 @@ class Figures:
         self.render(case.source, items, self.output / f"{name}.png", **camera)
         for item in items:
             pathlib.Path(item.partition("=")[0]).unlink()
-        lines = ["| | recon mean | p99 | Δ mean | m | CV |", "|---|---|---|---|---|---|"]
-        for title, r in measured:
-            keys = ("recon_mean", "recon_p99", "distance_mean", "m", "spacing_variation")
-            lines.append(f"| {title} | " + " | ".join(number(r.get(k)) for k in keys) + " |")
-        return "\n".join(lines) + f"\n\n![{name}]({name}.png)\n"
+        keys = ("recon_mean", "recon_p99", "distance_mean", "m", "spacing_variation")
+        rows = [["", "recon mean", "p99", "Δ mean", "m", "CV"]]
+        rows += [[title, *(number(r.get(k)) for k in keys)] for title, r in measured]
+        return write_table(self.output / f"{name}.csv", rows) + f"\n![{name}]({name}.png)\n"
 
     def armadillo(self, degradation="clean", count=17226):
         return Case("Armadillo", self.meshes / "armadillo.off", degradation, count, sample=172974)
 
     def table_1(self):
-        lines = ["| model | points | output | paper: s | ours: s | paper: Δ | ours: Δ MLS | data |",
-                 "|---|---|---|---|---|---|---|---|"]
+        rows = [["model", "points", "output", "paper: s", "ours: s", "paper: Δ", "ours: Δ MLS",
+                 "data"]]
         for model, size, count, iterations, seconds, error, stand_in in PAPER_TABLE_1:
             source = self.meshes / stand_in if stand_in else self.igea
             if not source:
@@ -61,9 +61,9 @@ class Figures:
             case = Case(model, source, count=count, sample=size if stand_in else None)
             result = self.simplify(case, f"radius=paper iterations={iterations}")
             data = f"stand-in: {size:,} random points on {stand_in}" if stand_in else "the same model"
-            lines.append(f"| {model} | {size:,} | {count:,} | {seconds} | {result['seconds']:.2f} "
-                         f"| {error:.2e} | {number(result['delta_mls'])} | {data} |")
-        return "\n".join(lines) + "\n"
+            rows.append([model, size, count, seconds, f"{result['seconds']:.2f}", f"{error:.2e}",
+                         number(result["delta_mls"]), data])
+        return write_table(self.output / "table_1.csv", rows)
 
     def figure_2(self):
         case = (Case("Igea", self.igea, count=13227) if self.igea else
@@ -98,9 +98,18 @@ class Figures:
         return raw + f"\nAfter `remove_outliers`: recon mean {number(cleaned.get('recon_mean'))}, " \
                      f"Δ mean {number(cleaned.get('distance_mean'))}.\n"
 
+    def all_methods(self, name, case, results, external):
+        """Fig. 7 and 8: the best setting of every method, side by side"""
+        with tempfile.TemporaryDirectory() as folder:
+            written = write_outputs(self.comparison, case, results, external, folder)
+            items = [f"{file}={method}" for method, file in written]
+            self.render(case.source, items, self.output / f"{name}.png", columns=6, size=300)
+        return f"The tables above, and:\n\n![{name}]({name}.png)\n"
+
     def figure_6(self):
         """regularity against iterations"""
         figure, axes = plt.subplots(1, 2, figsize=(10, 4))
+        rows = [["stand-in for", "start", "iterations", "m"]]
         cases = (Case("Octopus", self.meshes / "refined_elephant.off", count=8060, sample=269390),
                  Case("Santa", self.meshes / "man.off", count=7567, sample=75781))
         iterations = (0, 1, 2, 4, 6, 8, 10, 15, 20, 30)
@@ -108,6 +117,7 @@ class Figures:
             for title, start in (("curvature-aware start", ""),
                                  ("uniform start", "curvature_weight=0 ")):
                 m = [self.simplify(case, f"{start}iterations={i}")["m"] for i in iterations]
+                rows += [[case.name, title, i, number(value)] for i, value in zip(iterations, m)]
                 axis.plot(iterations, m, marker="o", label=title)
             axis.set(title=f"stand-in for {case.name}", xlabel="iterations", ylabel="m",
                      yscale="log")
@@ -115,4 +125,5 @@ class Figures:
         figure.tight_layout()
         figure.savefig(self.output / "figure_6.png", dpi=80)
         plt.close(figure)
+        write_table(self.output / "figure_6.csv", rows)
         return "![figure_6](figure_6.png)\n"
