@@ -118,7 +118,7 @@ class Comparison:
             if best.get("timed") or not best.get("setting") or "error" in best:
                 continue
             again = self.call([*case.options(), "--method", best["method"], "--setting",
-                               best["setting"], "--rounds", "4"])
+                               best["setting"], "--rounds", "4", "--time-only"])
             if again and "seconds" in again[-1]:
                 best["seconds"] = again[-1]["seconds"]
 

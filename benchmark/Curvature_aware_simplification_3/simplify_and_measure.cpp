@@ -64,7 +64,7 @@ double even_spacing(const Points& points, std::size_t n)
 }
 
 json run(const Setting& setting, const Task& task, const Input& input, std::size_t rounds,
-         Points& output)
+         bool is_measured, Points& output)
 {
   std::vector<double> times;
 #ifdef __GLIBC__
@@ -89,7 +89,8 @@ json run(const Setting& setting, const Task& task, const Input& input, std::size
                  {"peak_bytes", std::max(0., peak - memory_before)}};
   if (output.size() < 4)
     throw std::runtime_error("returned " + std::to_string(output.size()) + " points");
-  result.update(measure(output, reconstruct(output), input, task.spacing));
+  if (is_measured)
+    result.update(measure(output, reconstruct(output), input, task.spacing));
   return result;
 }
 
@@ -126,6 +127,7 @@ int main(int argc, char* argv[])
     ("parameters", po::value(&parameters), "of this package, instead of a method: curvature_weight=0 curvature_dependence=2 iterations=30 radius=2 or radius=paper")
     ("defaults-only", "the first setting of the method only")
     ("rounds", po::value(&rounds), "calls of each setting; their median time counts, without the first")
+    ("time-only", "measures the time and nothing else")
     ("seed", po::value(&seed), "of the input")
     ("measure", po::value(&measured_file), "measures the points of this file and runs nothing")
     ("write-input", po::value(&input_file), "writes the degraded points and exits")
@@ -207,7 +209,7 @@ int main(int argc, char* argv[])
     for (const Setting& setting : settings)
       try
       {
-        json result = run(setting, task, input, rounds, output);
+        json result = run(setting, task, input, rounds, values.count("time-only") == 0, output);
         if (method_name.rfind("this package", 0) == 0)
           result["stages"] = stages();
         print(result);
