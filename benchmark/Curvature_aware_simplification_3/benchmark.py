@@ -3,6 +3,7 @@
 
 import argparse
 import datetime
+import functools
 import json
 import os
 import pathlib
@@ -120,28 +121,32 @@ def main():
         sections.append(f"### {title}\n\n{table(results[title])}\n{stages(results[title])}")
     write_csv(output / "results.csv", [r for rows in results.values() for r in rows])
 
-    igea = shared / "igea.ply"
-    figures = Figures(comparison, meshes, igea if igea.exists() else None, render, output)
-    paper = [] if quick else [
-        ("Table 1", figures.table_1), ("Fig. 2: uniform and curvature-aware", figures.figure_2),
-        ("Fig. 3: start and iterations", figures.figure_3),
-        ("Fig. 4: curvature dependence", figures.figure_4),
-        ("Fig. 5: noise and outliers", figures.figure_5),
-        ("Fig. 6: regularity against iterations", figures.figure_6)]
-    page = ["# Results\n", surroundings(arguments), (HERE / "reading.md").read_text(),
-            "## This package at its defaults over the best tuned peer\n", ratios(results),
-            "## All methods\n", *sections]
-    if paper:
-        page += ["## The paper, row by row\n"]
-        page += [f"### {title}\n\n{make()}" for title, make in paper]
+    page = [("# Results\n", lambda: surroundings(arguments)),
+            ("", (HERE / "reading.md").read_text),
+            ("## This package at its defaults over the best tuned peer\n", lambda: ratios(results)),
+            ("## All methods\n", lambda: "\n".join(sections)),
+            ("## Stages\n", lambda: kernels(build / "kernels", output))]
+    if not quick:
+        igea = shared / "igea.ply"
+        figures = Figures(comparison, meshes, igea if igea.exists() else None, render, output)
+        page += [("## The paper, row by row\n", str),
+                 ("### Table 1\n", figures.table_1),
+                 ("### Fig. 2: uniform and curvature-aware\n", figures.figure_2),
+                 ("### Fig. 3: start and iterations\n", figures.figure_3),
+                 ("### Fig. 4: curvature dependence\n", figures.figure_4),
+                 ("### Fig. 5: noise and outliers\n", figures.figure_5),
+                 ("### Fig. 6: regularity against iterations\n", figures.figure_6)]
         # the paper's Armadillo and Indolady: evenly and unevenly sampled
         for figure, title in ((7, "Igea, clean"), (8, "Igea, density 10")):
             if title in all_cases:
-                picture = figures.all_methods(f"figure_{figure}", all_cases[title], results[title],
-                                              external)
-                page.append(f"### Fig. {figure}: all methods on {title}\n\n{picture}")
-    page += ["## Stages\n", kernels(build / "kernels", output)]
-    (output / "README.md").write_text("\n".join(page))
+                page.append((f"### Fig. {figure}: all methods on {title}\n",
+                             functools.partial(figures.all_methods, f"figure_{figure}",
+                                               all_cases[title], results[title], external)))
+    # written as it grows, so that a run that is stopped leaves what it has
+    text = ""
+    for title, make in page:
+        text += f"{title}\n{make()}\n"
+        (output / "README.md").write_text(text)
     print(f"Results are in {output / 'README.md'}")
     return 0
 
