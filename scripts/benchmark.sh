@@ -9,7 +9,7 @@ set -euo pipefail
 mode=${1:-quick}
 
 . "$(dirname "$0")/setup.sh"
-install_missing libbenchmark-dev nlohmann-json3-dev python3-matplotlib "${render_packages[@]}"
+install_missing libbenchmark-dev nlohmann-json3-dev python3-matplotlib python3-pil "${render_packages[@]}"
 if [ "$mode" != quick ]; then
   # external programs: what cannot be installed is reported as missing in its row
   while read -r package; do

@@ -82,7 +82,8 @@ class Comparison:
             results += self.run_external(case, external)
         if self.tuned:
             self.time_again(case, results)
-        results = [{**result, "case": case.title()} for result in results]
+        name = pathlib.Path(case.source).name
+        results = [{**result, "case": case.title(), "input": name} for result in results]
         with open(self.file(case), "w") as file:
             file.writelines(json.dumps(result) + "\n" for result in results)
         return results

@@ -103,7 +103,7 @@ class Figures:
         with tempfile.TemporaryDirectory() as folder:
             written = write_outputs(self.comparison, case, results, external, folder)
             items = [f"{file}={method}" for method, file in written]
-            self.render(case.source, items, self.output / f"{name}.png", columns=6, size=300)
+            self.render(case.source, items, self.output / f"{name}.png", columns=6, size=240)
         return f"The tables above, and:\n\n![{name}]({name}.png)\n"
 
     def figure_6(self):

@@ -289,8 +289,8 @@ TEST(MeanShift, OfCoincidingPoints)
 
 TEST(PointSetSurface, ProjectsOntoSphereAndPlane)
 {
-  const Point_set_surface sphere(surfaces::sphere(5000, 1), 24);
-  const Point_set_surface plane(surfaces::square(2000, 1), 24);
+  const Points sphere_points = surfaces::sphere(5000, 1), plane_points = surfaces::square(2000, 1);
+  const Point_set_surface sphere(sphere_points, 24), plane(plane_points, 24);
   CGAL::Random random(3);
   for (int i = 0; i < 100; ++i)
   {
