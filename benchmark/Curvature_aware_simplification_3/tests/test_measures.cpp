@@ -30,7 +30,7 @@ TEST(Analytic_surfaces, points_lie_on_them_and_distances_are_exact)
     const double unit = diagonal(points);
     for (int i = 0; i < 50; ++i)
     {
-      const Point q = points[static_cast<std::size_t>(i)] + 0.05 * unit * random_direction(random);
+      const Point q = points[static_cast<std::size_t>(i)] + 0.05 * unit * surfaces::random_direction(random);
       double nearest = 1e300;
       for (const Point& p : points)
         nearest = std::min(nearest, std::sqrt(CGAL::squared_distance(p, q)));

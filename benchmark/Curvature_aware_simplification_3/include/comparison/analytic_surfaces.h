@@ -3,6 +3,8 @@
 
 #include <comparison/types.h>
 
+#include <surfaces.h>
+
 #include <CGAL/Random.h>
 #include <CGAL/number_type_config.h>
 
@@ -38,38 +40,19 @@ auto rejection_sampling(CGAL::Random& random, double bound, const Propose& propo
   }
 }
 
-inline Vector random_direction(CGAL::Random& random)
-{
-  const double z = random.uniform_real(-1., 1.);
-  const double angle = random.uniform_real(0., 2. * CGAL_PI);
-  const double r = std::sqrt(1. - z * z);
-  return Vector(r * std::cos(angle), r * std::sin(angle), z);
-}
-
 inline Analytic_surface sphere()
 {
-  return {[](CGAL::Random& random) { return CGAL::ORIGIN + random_direction(random); },
+  return {[](CGAL::Random& random) { return CGAL::ORIGIN + surfaces::random_direction(random); },
           [](const Point& p)
           { return std::abs(std::sqrt((p - CGAL::ORIGIN).squared_length()) - 1.); },
           nullptr};
 }
 
-// radii 3 and 1; the area element is proportional to the distance to the axis
+// radii 3 and 1
 inline Analytic_surface torus()
 {
-  const double major = 3., minor = 1.;
-  const auto random_point = [=](CGAL::Random& random)
-  {
-    const double v = rejection_sampling(
-        random, major + minor, [&] { return random.uniform_real(0., 2. * CGAL_PI); },
-        [=](double angle) { return major + minor * std::cos(angle); });
-    const double u = random.uniform_real(0., 2. * CGAL_PI);
-    const double r = major + minor * std::cos(v);
-    return Point(r * std::cos(u), r * std::sin(u), minor * std::sin(v));
-  };
-  const auto distance = [=](const Point& p)
-  { return std::abs(std::hypot(std::hypot(p.x(), p.y()) - major, p.z()) - minor); };
-  return {random_point, distance, nullptr};
+  return {[](CGAL::Random& random) { return surfaces::random_point_on_torus(random, 3., 1.); },
+          [](const Point& p) { return surfaces::distance_to_torus(p, 3., 1.); }, nullptr};
 }
 
 // The distance to an ellipse with half axes a and b from a point of the first quadrant, by Newton's
@@ -93,20 +76,13 @@ inline double distance_to_ellipse(double x, double y, double a, double b)
   return std::sqrt(squared_distance(best));
 }
 
-// half axes 1, 1, 3; the sphere's area element is stretched by 3 sqrt(x^2 + y^2 + z^2 / 9)
+// half axes 1, 1, 3
 inline Analytic_surface ellipsoid()
 {
-  const double c = 3.;
-  const auto random_point = [=](CGAL::Random& random)
-  {
-    const Vector v = rejection_sampling(
-        random, 1., [&] { return random_direction(random); },
-        [=](const Vector& d) { return std::sqrt(1. - d.z() * d.z() * (1. - 1. / (c * c))); });
-    return Point(v.x(), v.y(), c * v.z());
-  };
-  const auto distance = [=](const Point& p)
-  { return distance_to_ellipse(std::hypot(p.x(), p.y()), std::abs(p.z()), 1., c); };
-  return {random_point, distance, nullptr};
+  return {[](CGAL::Random& random) { return surfaces::random_point_on_ellipsoid(random, 3.); },
+          [](const Point& p)
+          { return distance_to_ellipse(std::hypot(p.x(), p.y()), std::abs(p.z()), 1., 3.); },
+          nullptr};
 }
 
 // A prism over the square [-1, 1]^2, |z| <= 0.5: sharp edges around top and bottom, and the four
@@ -220,12 +196,7 @@ inline Analytic_surface analytic_surface(const std::string& name)
 
 inline Points sample(const Analytic_surface& surface, std::size_t n, unsigned int seed)
 {
-  CGAL::Random random(seed);
-  Points points;
-  points.reserve(n);
-  while (points.size() < n)
-    points.push_back(surface.random_point(random));
-  return points;
+  return surfaces::sample(n, seed, surface.random_point);
 }
 
 } // namespace comparison
