@@ -5,7 +5,7 @@
 #   scripts/newest_cgal.sh FOLDER [RELEASE]
 set -euo pipefail
 folder=$(realpath -m "$1")
-release=${2:-trixie}
+release=${2:-testing}
 
 mkdir -p "$folder/lists/partial"
 cd "$folder"

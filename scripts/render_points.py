@@ -86,13 +86,30 @@ def surface(points, triangles, smallest_radius):
     return actor(mapper, gray)
 
 
+def caption_height(size):
+    """of the strip below a picture, in pixels"""
+    return max(20, size // 16)
+
+
 def caption(text, size):
     result = vtk.vtkTextActor()
     result.SetInput(text)
-    result.SetPosition(12, 10)
+    result.SetPosition(size // 2, caption_height(size) // 4)
+    result.GetTextProperty().SetJustificationToCentered()
     result.GetTextProperty().SetFontSize(max(12, size // 28))
     result.GetTextProperty().SetColor(0, 0, 0)
     return result
+
+
+def layer(window, left, bottom, width, height):
+    """a white part of the window, given in pixels"""
+    total_width, total_height = window.GetSize()
+    renderer = vtk.vtkRenderer()
+    renderer.SetBackground(1, 1, 1)
+    renderer.SetViewport(left / total_width, bottom / total_height,
+                         (left + width) / total_width, (bottom + height) / total_height)
+    window.AddRenderer(renderer)
+    return renderer
 
 
 def place_camera(camera, points, arguments):
@@ -126,6 +143,7 @@ def main():
     parser.add_argument("--focus", type=float, nargs=2, default=(0.0, 0.0),
                         help="the center of a close-up: right and up, from -1 to 1 in the whole picture")
     parser.add_argument("--zoom", type=float, default=1.0)
+    parser.add_argument("--columns", type=int, help="pictures in a row; default: all")
     parser.add_argument("--size", type=int, default=600, help="width and height of one picture")
     parser.add_argument("--ball", type=float, default=0.3, help="radius of the balls, in spacings")
     arguments = parser.parse_args()
@@ -135,13 +153,17 @@ def main():
     window = vtk.vtkRenderWindow()
     window.SetOffScreenRendering(1)
     window.SetMultiSamples(8)
-    window.SetSize(arguments.size * len(arguments.points), arguments.size)
+    columns = arguments.columns or len(arguments.points)
+    rows = -(-len(arguments.points) // columns)
+    size, strip = arguments.size, caption_height(arguments.size)
+    window.SetSize(size * columns, (size + strip) * rows)
     for i, item in enumerate(arguments.points):
         filename, _, title = item.partition("=")
         points, _ = read(filename)
-        renderer = vtk.vtkRenderer()
-        renderer.SetBackground(1, 1, 1)
-        renderer.SetViewport(i / len(arguments.points), 0, (i + 1) / len(arguments.points), 1)
+        left, bottom = i % columns * size, (rows - 1 - i // columns) * (size + strip)
+        text = caption(title or pathlib.Path(filename).stem, size)
+        layer(window, left, bottom, size, strip).AddActor(text)
+        renderer = layer(window, left, bottom + strip, size, size)
         # coordinates relative to the center: the graphics card computes with floats
         center = (low + high) / 2
         height = place_camera(renderer.GetActiveCamera(), reference - center, arguments)
@@ -149,9 +171,7 @@ def main():
         radius = max(min(arguments.ball * spacing(points), 0.02 * height), smallest_radius)
         renderer.AddActor(surface(reference - center, triangles, smallest_radius))
         renderer.AddActor(balls(points - center, radius, (0.1, 0.15, 0.45)))
-        renderer.AddActor(caption(title or pathlib.Path(filename).stem, arguments.size))
         renderer.ResetCameraClippingRange()
-        window.AddRenderer(renderer)
     window.Render()
 
     image = vtk.vtkWindowToImageFilter()

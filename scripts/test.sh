@@ -9,7 +9,7 @@ set -euo pipefail
 mode=${1:-quick}
 
 . "$(dirname "$0")/setup.sh"
-install_missing libgtest-dev libbenchmark-dev
+install_missing libgtest-dev libbenchmark-dev nlohmann-json3-dev
 
 cmake --workflow --preset release
 if [ "$mode" = full ]; then

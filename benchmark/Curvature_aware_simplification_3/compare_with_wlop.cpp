@@ -72,7 +72,7 @@ int main(int argc, char* argv[])
       CGAL::curvature_aware_simplify_point_set<Tag>(input, std::back_inserter(output),
                                                     parameters.number_of_output_points(n));
       return output;
-    };
+        };
   };
   const auto wlop = [percentage](const auto& parameters)
   {
@@ -82,11 +82,12 @@ int main(int argc, char* argv[])
       CGAL::wlop_simplify_and_regularize_point_set<Tag>(input, std::back_inserter(output),
                                                         parameters.select_percentage(percentage));
       return output;
-    };
+        };
   };
   std::vector<Method> methods = {
       {"this package, defaults", ours(np::random_seed(0))},
-      {"this package, radius of the paper", ours(np::neighbor_radius(paper_radius))},
+      {"this package, settings of the paper",
+       ours(np::settings_of_the_paper(true).neighbor_radius(paper_radius))},
       {"CGAL WLOP, defaults", wlop(np::require_uniform_sampling(false))},
       {"CGAL WLOP, radius and iterations of the paper",
        wlop(np::neighbor_radius(paper_radius).number_of_iterations(10))}};

@@ -42,9 +42,11 @@ struct Options
   std::string output;
   double percentage;
   std::optional<long long> count;
+  double adaptivity;
+  long long iterations;
+  bool settings_of_the_paper;
   double curvature_weight;
   double curvature_dependence;
-  long long iterations;
   std::optional<double> radius;
   unsigned long long seed;
   bool subset;
@@ -65,18 +67,25 @@ std::optional<Options> read_options(int argc, char* argv[])
       "percentage,p", po::value(&options.percentage)->default_value(5.),
       "percentage of points to return, above 0 and at most 100")(
       "count,n", po::value<long long>(), "number of points to return, instead of the percentage")(
-      "curvature-weight,w", po::value(&options.curvature_weight)->default_value(0.75),
-      "weight of the curvature in the selection, from 0 to 1")(
-      "curvature-dependence,d", po::value(&options.curvature_dependence)->default_value(2.),
-      "dependence of the relaxation on the curvature, at least 0; 0: none")(
+      "adaptivity,a", po::value(&options.adaptivity)->default_value(2. / 3., "2/3"),
+      "dependence of the density on the curvature, from 0 to 1; 0: uniform")(
       "iterations,i", po::value(&options.iterations)->default_value(10),
-      "number of iterations of the relaxation")("radius,r", po::value<double>(),
-                                                "radius of the neighborhoods, in the unit of the "
-                                                "file; default: twice the spacing of the output")(
+      "number of iterations of the relaxation")(
       "seed,s", po::value(&options.seed)->default_value(0), "seed of the random numbers")(
       "subset", po::bool_switch(&options.subset),
       "select points of the input with all their properties, and do not move them")(
       "quiet,q", po::bool_switch(&options.quiet), "print nothing but errors");
+  po::options_description paper("With the settings of the paper");
+  paper.add_options()("paper", po::bool_switch(&options.settings_of_the_paper),
+                      "the literal method of the paper, for comparison")(
+      "curvature-weight,w", po::value(&options.curvature_weight)->default_value(0.75),
+      "weight of the curvature in the selection, from 0 to 1")(
+      "curvature-dependence,d", po::value(&options.curvature_dependence)->default_value(2.),
+      "dependence of the relaxation on the curvature, at least 0; 0: none")(
+      "radius,r", po::value<double>(),
+      "radius of the neighborhoods, in the unit of the file; default: twice the spacing of the "
+      "output");
+  visible.add(paper);
   po::options_description all;
   all.add(visible).add_options()("input", po::value(&options.input)->required())(
       "output", po::value(&options.output)->required());
@@ -105,6 +114,10 @@ std::optional<Options> read_options(int argc, char* argv[])
       options.count = values["count"].as<long long>();
     if (values.count("radius") != 0)
       options.radius = values["radius"].as<double>();
+    for (const char* name : {"curvature-weight", "curvature-dependence", "radius"})
+      if (values.count(name) != 0 && !values[name].defaulted() && !options.settings_of_the_paper &&
+          !options.subset)
+        throw Error(std::string("--") + name + " needs --paper; see simplify_point_set --help");
   }
   catch (const po::error& error)
   {
@@ -144,8 +157,7 @@ Point_set read(const std::string& filename)
     is_read = CGAL::IO::read_point_set(filename, points);
   }
   catch (...)
-  {
-  }
+  {}
   std::cerr.rdbuf(standard_error);
 
   if (!is_read)
@@ -231,11 +243,15 @@ bool show_progress(double progress)
 void print(const CGAL::Curvature_aware_simplification_report& report)
 {
   std::cout << "spacing    " << report.output_spacing << "\n"
-            << "radius     " << report.neighbor_radius << "\n"
+            << "outliers   " << report.number_of_outliers << "\n"
+            << "noise      " << report.noise_level << "\n"
             << "sorting    " << report.sorting_time << " s\n"
             << "features   " << report.features_time << " s\n"
+            << "outliers   " << report.outliers_time << " s\n"
+            << "noise      " << report.noise_time << " s\n"
             << "selection  " << report.selection_time << " s\n"
-            << "relaxation " << report.relaxation_time << " s\n";
+            << "relaxation " << report.relaxation_time << " s\n"
+            << "projection " << report.projection_time << " s\n";
 }
 
 template <typename NamedParameters>
@@ -278,6 +294,8 @@ void run(const Options& options)
   const auto np = CGAL::parameters::select_percentage(options.percentage)
                       .curvature_weight(options.curvature_weight)
                       .curvature_dependence(options.curvature_dependence)
+                      .adaptivity(options.adaptivity)
+                      .settings_of_the_paper(options.settings_of_the_paper)
                       .number_of_iterations(options.iterations)
                       .random_seed(options.seed)
                       .callback(callback);

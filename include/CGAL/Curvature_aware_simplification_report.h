@@ -8,8 +8,7 @@
 
 #include <cstddef>
 
-namespace CGAL
-{
+namespace CGAL {
 
 /*!
 \ingroup PkgCurvatureAwareSimplification3Classes

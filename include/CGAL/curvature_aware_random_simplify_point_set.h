@@ -19,8 +19,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace CGAL
-{
+namespace CGAL {
 
 /*!
 \ingroup PkgCurvatureAwareSimplification3Algorithms

@@ -9,26 +9,87 @@
 #include <CGAL/Curvature_aware_simplification_3/internal/Cloud.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Neighbor_search.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Progress.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/Stopwatch.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/features.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/input.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/parameters.h>
-#include <CGAL/Curvature_aware_simplification_3/internal/relax_repeatedly.h>
-#include <CGAL/Curvature_aware_simplification_3/internal/sample_spacing.h>
-#include <CGAL/Curvature_aware_simplification_3/internal/select_points.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/simplify_adaptively.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/simplify_as_in_the_paper.h>
 #include <CGAL/Curvature_aware_simplification_report.h>
 
 #include <CGAL/Named_function_parameters.h>
-#include <CGAL/Real_timer.h>
 
 #include <algorithm>
 #include <cstddef>
 #include <functional>
-#include <limits>
-#include <vector>
 
-namespace CGAL
+namespace CGAL {
+
+namespace Curvature_aware_simplification_3 {
+namespace internal {
+
+// The function below, with settings of the adaptive method that only the benchmark changes
+template <typename ConcurrencyTag, typename PointRange, typename OutputIterator,
+          typename NamedParameters>
+OutputIterator simplify_point_set(const PointRange& points, OutputIterator output,
+                                  const NamedParameters& np, const Adaptive_settings& settings)
 {
+  using parameters::choose_parameter;
+  using parameters::get_parameter;
+  using Types = Input_types<PointRange, NamedParameters>;
+  using Geom_traits = typename Types::Geom_traits;
+  using FT = typename Geom_traits::FT;
+  using Diagonalize_traits = typename Types::Diagonalize_traits;
+
+  const Parameters parameters = read_parameters(np, number_of_elements(points));
+  const Progress progress(parameters.callback);
+  Curvature_aware_simplification_report report;
+  Stopwatch stopwatch;
+
+  try
+  {
+    const Cloud cloud = make_cloud<ConcurrencyTag>(
+        read_coordinates(points, Types::NP_helper::get_const_point_map(points, np)),
+        relative_rounding_error<FT>());
+    const Neighbor_search search(cloud.points, ConcurrencyTag());
+    report.sorting_time = stopwatch.lap();
+
+    const Features features = compute_features<ConcurrencyTag, Diagonalize_traits>(
+        cloud, search, parameters.number_of_neighbors, progress.part(0., 0.4));
+    report.features_time = stopwatch.lap();
+
+    const Progress simplification_progress = progress.part(0.4, 1.);
+    const Distinct_samples samples =
+        parameters.settings_of_the_paper
+            ? simplify_as_in_the_paper<ConcurrencyTag, Diagonalize_traits>(
+                  cloud, search, features, parameters, simplification_progress, report)
+            : simplify_adaptively<ConcurrencyTag>(cloud, search, features, parameters, settings,
+                                                  simplification_progress, report);
+
+    report.number_of_input_points = cloud.input_size();
+    report.number_of_distinct_points = cloud.size();
+    report.number_of_output_points = parameters.number_of_output_points;
+    report.maximum_surface_variation =
+        *std::max_element(features.curvature.begin(), features.curvature.end());
+
+    progress.report(1.);
+    choose_parameter(get_parameter(np, internal_np::simplification_report), std::ref(report))
+        .get() = report;
+    for (std::size_t i = 0; i < samples.points.size(); ++i)
+    {
+      const Point p = cloud.frame.from_frame(samples.points[i]);
+      for (std::size_t copy = 0; copy < samples.copies[i]; ++copy)
+        *output++ = typename Geom_traits::Point_3(static_cast<FT>(p.x()), static_cast<FT>(p.y()),
+                                                  static_cast<FT>(p.z()));
+    }
+  }
+  catch (const Cancelled&)
+  {}
+  return output;
+}
+
+} // namespace internal
+} // namespace Curvature_aware_simplification_3
 
 /*!
 \ingroup PkgCurvatureAwareSimplification3Algorithms
@@ -236,79 +297,7 @@ curvature_aware_simplify_point_set(const PointRange& points, OutputIterator outp
                                    const NamedParameters& np = parameters::default_values())
 {
   using namespace Curvature_aware_simplification_3::internal;
-  using parameters::choose_parameter;
-  using parameters::get_parameter;
-  using Types = Input_types<PointRange, NamedParameters>;
-  using Geom_traits = typename Types::Geom_traits;
-  using FT = typename Geom_traits::FT;
-  using Diagonalize_traits = typename Types::Diagonalize_traits;
-
-  const Parameters parameters = read_parameters(np, number_of_elements(points));
-  const Progress progress(parameters.callback);
-  Curvature_aware_simplification_report report;
-  Real_timer timer;
-  timer.start();
-  const auto lap = [&timer]
-  {
-    const double time = timer.time();
-    timer.reset();
-    return time;
-  };
-
-  try
-  {
-    const Cloud cloud = make_cloud<ConcurrencyTag>(
-        read_coordinates(points, Types::NP_helper::get_const_point_map(points, np)),
-        relative_rounding_error<FT>());
-    const Neighbor_search search(cloud.points, ConcurrencyTag());
-    report.sorting_time = lap();
-
-    const Features features = compute_features<ConcurrencyTag, Diagonalize_traits>(
-        cloud, search, parameters.number_of_neighbors, progress.part(0., 0.4));
-    report.features_time = lap();
-
-    std::vector<Point> samples;
-    if (parameters.settings_of_the_paper)
-    {
-      samples = positions(cloud, select_points<ConcurrencyTag>(cloud, features, parameters));
-      report.selection_time = lap();
-
-      const double spacing = sample_spacing<ConcurrencyTag>(samples);
-      const double h = parameters.neighbor_radius > 0.
-                           ? cloud.frame.length_to_frame(parameters.neighbor_radius)
-                           : radius_in_spacings * spacing;
-      // A ball smaller than the rounding error of the coordinates holds nothing but its center.
-      if (h > std::numeric_limits<double>::epsilon())
-        samples = relax_repeatedly<ConcurrencyTag, Diagonalize_traits>(
-            samples, cloud, search, features, h, parameters, progress.part(0.4, 1.));
-      report.relaxation_time = lap();
-      report.output_spacing = cloud.frame.length_from_frame(spacing);
-      report.neighbor_radius = cloud.frame.length_from_frame(h);
-    }
-    else
-      samples = simplify_adaptively<ConcurrencyTag>(cloud, search, features, parameters,
-                                                    progress.part(0.4, 1.), report);
-
-    report.number_of_input_points = cloud.input_size();
-    report.number_of_distinct_points = cloud.size();
-    report.number_of_output_points = samples.size();
-    report.maximum_surface_variation =
-        *std::max_element(features.curvature.begin(), features.curvature.end());
-
-    progress.report(1.);
-    choose_parameter(get_parameter(np, internal_np::simplification_report), std::ref(report))
-        .get() = report;
-    for (const Point& sample : samples)
-    {
-      const Point p = cloud.frame.from_frame(sample);
-      *output++ = typename Geom_traits::Point_3(static_cast<FT>(p.x()), static_cast<FT>(p.y()),
-                                                static_cast<FT>(p.z()));
-    }
-  }
-  catch (const Cancelled&)
-  {
-  }
-  return output;
+  return simplify_point_set<ConcurrencyTag>(points, output, np, Adaptive_settings());
 }
 
 } // namespace CGAL

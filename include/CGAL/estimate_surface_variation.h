@@ -19,8 +19,7 @@
 #include <functional>
 #include <type_traits>
 
-namespace CGAL
-{
+namespace CGAL {
 
 /*!
 \ingroup PkgCurvatureAwareSimplification3Algorithms

@@ -12,8 +12,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace surfaces
-{
+namespace surfaces {
 
 using Kernel = CGAL::Simple_cartesian<double>;
 using Point = Kernel::Point_3;
@@ -27,31 +26,19 @@ inline Vector random_direction(CGAL::Random& random)
   return Vector(r * std::cos(angle), r * std::sin(angle), z);
 }
 
-// unit sphere, uniform per area
-inline std::vector<Point> sphere(std::size_t n, unsigned int seed)
+// on the torus around the z axis, uniform per area: the area element grows with the distance to the
+// axis
+inline Point random_point_on_torus(CGAL::Random& random, double major, double minor)
 {
-  CGAL::Random random(seed);
-  std::vector<Point> points;
-  while (points.size() < n)
-    points.push_back(CGAL::ORIGIN + random_direction(random));
-  return points;
-}
-
-// torus around the z axis, uniform per area: its area element grows with the distance to the axis
-inline std::vector<Point> torus(std::size_t n, double major, double minor, unsigned int seed)
-{
-  CGAL::Random random(seed);
-  std::vector<Point> points;
-  while (points.size() < n)
+  while (true)
   {
     const double u = random.uniform_real(0., 2. * CGAL_PI);
     const double v = random.uniform_real(0., 2. * CGAL_PI);
     const double distance_to_axis = major + minor * std::cos(v);
     if (random.uniform_real(0., major + minor) < distance_to_axis)
-      points.emplace_back(distance_to_axis * std::cos(u), distance_to_axis * std::sin(u),
-                          minor * std::sin(v));
+      return Point(distance_to_axis * std::cos(u), distance_to_axis * std::sin(u),
+                   minor * std::sin(v));
   }
-  return points;
 }
 
 inline double distance_to_torus(const Point& p, double major, double minor)
@@ -59,33 +46,56 @@ inline double distance_to_torus(const Point& p, double major, double minor)
   return std::abs(std::hypot(std::hypot(p.x(), p.y()) - major, p.z()) - minor);
 }
 
-// ellipsoid of revolution with half axes 1, 1, c > 1, uniform per area: the sphere's area element is
-// stretched by c sqrt(x^2 + y^2 + z^2 / c^2), z on the sphere
-inline std::vector<Point> ellipsoid(std::size_t n, double c, unsigned int seed)
+// on the ellipsoid of revolution with half axes 1, 1, c > 1, uniform per area: the sphere's area
+// element is stretched by c sqrt(x^2 + y^2 + z^2 / c^2), z on the sphere
+inline Point random_point_on_ellipsoid(CGAL::Random& random, double c)
 {
-  CGAL::Random random(seed);
-  std::vector<Point> points;
-  while (points.size() < n)
+  while (true)
   {
     const Vector v = random_direction(random);
     const double stretch = std::sqrt(1. - v.z() * v.z() + v.z() * v.z() / (c * c));
     if (random.uniform_real(0., 1.) < stretch)
-      points.emplace_back(v.x(), v.y(), c * v.z());
+      return Point(v.x(), v.y(), c * v.z());
   }
+}
+
+// n points that `random_point` makes of a generator with this seed
+template <typename Random_point>
+std::vector<Point> sample(std::size_t n, unsigned int seed, const Random_point& random_point)
+{
+  CGAL::Random random(seed);
+  std::vector<Point> points;
+  points.reserve(n);
+  while (points.size() < n)
+    points.push_back(random_point(random));
   return points;
+}
+
+// unit sphere
+inline std::vector<Point> sphere(std::size_t n, unsigned int seed)
+{
+  return sample(n, seed, [](CGAL::Random& r) { return CGAL::ORIGIN + random_direction(r); });
+}
+
+inline std::vector<Point> torus(std::size_t n, double major, double minor, unsigned int seed)
+{
+  return sample(n, seed, [=](CGAL::Random& r) { return random_point_on_torus(r, major, minor); });
+}
+
+inline std::vector<Point> ellipsoid(std::size_t n, double c, unsigned int seed)
+{
+  return sample(n, seed, [=](CGAL::Random& r) { return random_point_on_ellipsoid(r, c); });
 }
 
 // the square [0, 1]^2 in the plane z = 0, uniform per area
 inline std::vector<Point> square(std::size_t n, unsigned int seed)
 {
-  CGAL::Random random(seed);
-  std::vector<Point> points;
-  while (points.size() < n)
-  {
+  return sample(n, seed,
+                [](CGAL::Random& random)
+                {
     const double x = random.uniform_real(0., 1.);
-    points.emplace_back(x, random.uniform_real(0., 1.), 0.);
-  }
-  return points;
+    return Point(x, random.uniform_real(0., 1.), 0.);
+  });
 }
 
 // normally distributed with mean 0 and variance 1 (Box and Muller)

@@ -21,21 +21,19 @@
 #include <tuple>
 #include <vector>
 
-namespace
-{
+namespace {
 
 using Tag = CGAL::Parallel_if_available_tag;
 namespace np = CGAL::parameters;
 
 template <typename Kernel>
 class Kernels : public testing::Test
-{
-};
+{};
 
 using All_kernels = testing::Types<CGAL::Simple_cartesian<double>, CGAL::Simple_cartesian<float>,
                                    CGAL::Exact_predicates_inexact_constructions_kernel,
                                    CGAL::Exact_predicates_exact_constructions_kernel>;
-TYPED_TEST_SUITE(Kernels, All_kernels);
+TYPED_TEST_SUITE(Kernels, All_kernels, ); // the comma: -Wpedantic wants a variadic argument
 
 TYPED_TEST(Kernels, give_the_same_result)
 {
@@ -286,7 +284,7 @@ TEST(Named_parameters, each_has_an_effect)
                             .number_of_iterations(5)                                               \
                             .require_uniform_sampling(true));                                      \
     return output.size();                                                                          \
-  }
+      }
 
 TEST(Change_from_WLOP, needs_a_new_name_only)
 {

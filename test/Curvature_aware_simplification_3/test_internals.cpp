@@ -24,8 +24,7 @@
 #include <utility>
 #include <vector>
 
-namespace
-{
+namespace {
 
 using namespace CGAL::Curvature_aware_simplification_3::internal;
 using Tag = CGAL::Parallel_if_available_tag;
@@ -66,9 +65,8 @@ TEST(Surface_variation, of_a_plane_is_zero)
   // tilted and far away: all that is left is rounding error
   EXPECT_EQ(variation_at_first(mapped_lattice(10, 0.1,
                                               [](double u, double v) {
-                                                return Point(4e5 + u, 5e6 + v,
-                                                             100. + 0.3 * u - 0.7 * v);
-                                              }),
+    return Point(4e5 + u, 5e6 + v, 100. + 0.3 * u - 0.7 * v);
+                               }),
                                16),
             0.);
 }
@@ -129,11 +127,11 @@ TEST(Surface_variation, of_a_noisy_plane)
   const double step = 0.01, sigma = 0.01, k = 500.;
   double sum = 0.;
   for (int repetition = 0; repetition < 20; ++repetition)
-    sum += variation_at_first(
-        mapped_lattice(30, step,
-                       [&](double u, double v)
-                       { return Point(u, v, 0.01 * surfaces::normal_deviate(random)); }),
-        static_cast<unsigned int>(k));
+    sum += variation_at_first(mapped_lattice(30, step,
+                                             [&](double u, double v) {
+      return Point(u, v, 0.01 * surfaces::normal_deviate(random));
+                              }),
+                              static_cast<unsigned int>(k));
   // a disk of radius r has variance r^2 / 4 in both directions
   const double squared_radius = (k + 1.) * step * step / CGAL_PI;
   const double expected = sigma * sigma / (sigma * sigma + squared_radius / 2.);
@@ -335,10 +333,10 @@ TEST(Neighbor_search, agrees_with_brute_force)
       search.for_each_nearest(query, k,
                               [&](std::size_t i, const Point& p, double squared_distance)
                               {
-                                EXPECT_EQ(p, points[i]);
-                                EXPECT_DOUBLE_EQ(squared_distance, all[i]);
-                                nearest.push_back(all[i]);
-                              });
+        EXPECT_EQ(p, points[i]);
+        EXPECT_DOUBLE_EQ(squared_distance, all[i]);
+        nearest.push_back(all[i]);
+      });
       std::sort(nearest.begin(), nearest.end());
       sorted.resize(k);
       EXPECT_EQ(nearest, sorted); // distances and not indices: ties have no order

@@ -49,10 +49,16 @@ cmp -s out.xyz again.xyz || fail "a file that is read and written is not the sam
 "$tool" -q -s 1 patch.xyz seed2.xyz
 cmp -s seed1.xyz seed2.xyz || fail "the same seed gives different results"
 cmp -s seed1.xyz out.xyz && fail "another seed gives the same result"
-for option in "-r 0.3" "-i 3" "-d 0" "-w 0.1"; do
+for option in "-i 3" "-a 0" "--paper"; do
   # shellcheck disable=SC2086
   "$tool" -q $option patch.xyz changed.xyz || fail "$option"
   cmp -s changed.xyz out.xyz && fail "no effect of $option"
+done
+"$tool" -q --paper patch.xyz paper.xyz
+for option in "-r 0.3" "-d 0" "-w 0.1"; do
+  # shellcheck disable=SC2086
+  "$tool" -q --paper $option patch.xyz changed.xyz || fail "$option"
+  cmp -s changed.xyz paper.xyz && fail "no effect of $option"
 done
 
 # attributes of a subset
@@ -61,12 +67,13 @@ awk '{ print $0, 0, 0, 1 }' patch.xyz >normals.xyz
 [ "$(grep -cE " 0 0 1$" subset.xyz)" -eq 500 ] || fail "--subset loses normals"
 
 "$tool" patch.xyz out.ply >stdout.log 2>stderr.log || fail "with output"
-for word in "points *10000" "returned *500" "spacing *0\.0" "radius" "sorting .* s" "features .* s" \
-  "selection .* s" "relaxation .* s"; do
+for word in "points *10000" "returned *500" "spacing *0\.0" "noise *[0-9]" "outliers *0" "sorting .* s" "features .* s" \
+  "selection .* s" "relaxation .* s" "projection .* s"; do
   grep -qE "$word" stdout.log || fail "no '$word' in the output"
 done
 [ ! -s stderr.log ] || fail "a progress bar that is not on a terminal"
-if command -v script >/dev/null; then
+# in a terminal, where one can be had
+if script -qec true /dev/null </dev/null >/dev/null 2>&1; then
   script -qec "$tool patch.xyz out.ply" /dev/null </dev/null | grep -q "100 %" || fail "no progress bar"
 fi
 "$tool" --help | grep -q "Usage" || fail "--help"
@@ -77,6 +84,7 @@ printf '1 2 3\n4 five 6\n' >broken.xyz
 printf 'not a ply file\n' >broken.ply
 head -c 3000 out.ply >short.ply
 mkdir folder.ply
+must_fail 'radius needs --paper' -r 0.3 patch.xyz new.ply
 must_fail "cannot open missing.ply" missing.ply out.xyz
 must_fail "cannot open folder.ply" folder.ply out.xyz
 must_fail "empty.off holds no points" empty.off out.xyz

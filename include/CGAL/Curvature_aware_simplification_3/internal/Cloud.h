@@ -27,12 +27,9 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL
-{
-namespace Curvature_aware_simplification_3
-{
-namespace internal
-{
+namespace CGAL {
+namespace Curvature_aware_simplification_3 {
+namespace internal {
 
 // The input as the stages see it: its distinct points, along a Hilbert curve, so that neighbors in
 // space are neighbors in memory.
@@ -78,9 +75,9 @@ Cloud make_cloud(std::vector<Point> coordinates, double relative_error)
   for_each_index<ConcurrencyTag>(0, n,
                                  [&](std::size_t i)
                                  {
-                                   const Point& p = coordinates[i];
-                                   coordinates[i] = frame.to_frame(p.x(), p.y(), p.z());
-                                 });
+    const Point& p = coordinates[i];
+    coordinates[i] = frame.to_frame(p.x(), p.y(), p.z());
+  });
 
   // Equal points become neighbors in lexicographic order, the first of the input in front.
   std::vector<std::size_t> order(n);
@@ -88,9 +85,9 @@ Cloud make_cloud(std::vector<Point> coordinates, double relative_error)
   sort<ConcurrencyTag>(order.begin(), order.end(),
                        [&](std::size_t i, std::size_t j)
                        {
-                         const Point &p = coordinates[i], &q = coordinates[j];
-                         return p < q || (p == q && i < j);
-                       });
+    const Point &p = coordinates[i], &q = coordinates[j];
+    return p < q || (p == q && i < j);
+  });
   std::vector<std::size_t> first_equal(n);
   std::vector<std::size_t> input_index;
   for (std::size_t i : order)
@@ -110,15 +107,15 @@ Cloud make_cloud(std::vector<Point> coordinates, double relative_error)
   for_each_index<ConcurrencyTag>(0, points.size(),
                                  [&](std::size_t i)
                                  {
-                                   points[i] = coordinates[input_index[i]];
-                                   distinct_index[input_index[i]] = i;
-                                 });
+    points[i] = coordinates[input_index[i]];
+    distinct_index[input_index[i]] = i;
+  });
   for_each_index<ConcurrencyTag>(0, n,
                                  [&](std::size_t i)
                                  {
-                                   if (first_equal[i] != i)
-                                     distinct_index[i] = distinct_index[first_equal[i]];
-                                 });
+    if (first_equal[i] != i)
+      distinct_index[i] = distinct_index[first_equal[i]];
+  });
   return Cloud{frame, std::move(points), std::move(input_index), std::move(distinct_index),
                frame.length_to_frame(relative_error * largest_coordinate)};
 }

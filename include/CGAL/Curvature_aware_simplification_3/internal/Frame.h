@@ -12,12 +12,9 @@
 
 #include <cmath>
 
-namespace CGAL
-{
-namespace Curvature_aware_simplification_3
-{
-namespace internal
-{
+namespace CGAL {
+namespace Curvature_aware_simplification_3 {
+namespace internal {
 
 // The coordinate frame of the computation: the input's bounding box is centered at the origin and
 // its diagonal has a length in [0.5, 1). So squares neither overflow nor underflow for any unit,
@@ -27,8 +24,8 @@ class Frame
 {
 public:
   explicit Frame(const Bbox_3& box)
-      : m_center((box.xmin() / 2. + box.xmax() / 2.), (box.ymin() / 2. + box.ymax() / 2.),
-                 (box.zmin() / 2. + box.zmax() / 2.))
+    : m_center((box.xmin() / 2. + box.xmax() / 2.), (box.ymin() / 2. + box.ymax() / 2.),
+               (box.zmin() / 2. + box.zmax() / 2.))
   {
     // std::hypot, and halves above: the plain formulas overflow for coordinates above 1e154
     const double half_diagonal =

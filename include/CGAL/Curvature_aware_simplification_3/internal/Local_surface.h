@@ -9,13 +9,11 @@
 #include <CGAL/Curvature_aware_simplification_3/internal/Neighbor_search.h>
 
 #include <cmath>
+#include <cstddef>
 
-namespace CGAL
-{
-namespace Curvature_aware_simplification_3
-{
-namespace internal
-{
+namespace CGAL {
+namespace Curvature_aware_simplification_3 {
+namespace internal {
 
 // The surface around a sample: a quadric over a tangent plane,
 // x(a, b) = origin + a u + b v + f(a, b) n,  f = c0 + c1 a + c2 b + c3 a^2 + c4 a b + c5 b^2
@@ -24,9 +22,10 @@ struct Local_surface
   Point origin = Point(0., 0., 0.);
   Vector u = Vector(1., 0., 0.), v = Vector(0., 1., 0.), n = Vector(0., 0., 1.);
   double c[6] = {0., 0., 0., 0., 0., 0.};
-  double radius = 0.; // of the neighborhood it was fitted to; 0: not fitted
-  double spread = 0.; // of the heights of the neighbors over it
-  double error = 0.;  // standard deviation of c0 caused by noise
+  std::size_t neighbors = 0; // it was fitted to
+  double radius = 0.;        // of their ball; 0: not fitted
+  double spread = 0.;        // of the heights of the neighbors over it
+  double error = 0.;         // standard deviation of c0 caused by noise
 
   double height(double a, double b) const
   {

@@ -21,12 +21,9 @@
 #include <functional>
 #include <vector>
 
-namespace CGAL
-{
-namespace Curvature_aware_simplification_3
-{
-namespace internal
-{
+namespace CGAL {
+namespace Curvature_aware_simplification_3 {
+namespace internal {
 
 // All stages compute in double coordinates, whatever the kernel of the caller's points.
 using Computation_kernel = Simple_cartesian<double>;
@@ -41,10 +38,10 @@ public:
   // O(n log n)
   template <typename ConcurrencyTag>
   Neighbor_search(const std::vector<Point>& points, const ConcurrencyTag&)
-      : m_points(points.data()),
-        m_tree(boost::counting_iterator<std::size_t>(0),
-               boost::counting_iterator<std::size_t>(points.size()), Splitter(),
-               Traits(Point_map(points.data())))
+    : m_points(points.data()),
+      m_tree(boost::counting_iterator<std::size_t>(0),
+             boost::counting_iterator<std::size_t>(points.size()), Splitter(),
+             Traits(Point_map(points.data())))
   {
     m_tree.template build<ConcurrencyTag>();
   }

@@ -13,12 +13,9 @@
 #include <cstddef>
 #include <vector>
 
-namespace CGAL
-{
-namespace Curvature_aware_simplification_3
-{
-namespace internal
-{
+namespace CGAL {
+namespace Curvature_aware_simplification_3 {
+namespace internal {
 
 // The nearest input points of a point, relative to it, and the weight of each in a fit. Made to be
 // reused, so that a thread allocates memory once.
@@ -31,23 +28,30 @@ struct Neighborhood
     double weight;
   };
 
+  Point center = Point(0., 0., 0.);
   std::vector<Neighbor> neighbors;
-  double radius; // distance of the farthest
+  double radius = 0.; // distance of the farthest
 
-  void collect(const Neighbor_search& search, const Point& center, std::size_t k)
+  void collect(const Neighbor_search& search, const Point& query, std::size_t k)
   {
+    center = query;
     neighbors.clear();
     double squared_radius = 0.;
-    search.for_each_nearest(center, k,
+    search.for_each_nearest(query, k,
                             [&](std::size_t, const Point& p, double squared_distance)
                             {
-                              squared_radius = (std::max)(squared_radius, squared_distance);
-                              neighbors.push_back({p - center, squared_distance, 1.});
-                            });
+      squared_radius = (std::max)(squared_radius, squared_distance);
+      neighbors.push_back({p - query, squared_distance, 1.});
+    });
     radius = std::sqrt(squared_radius);
   }
 
   std::size_t size() const { return neighbors.size(); }
+
+  void weight_by_distance()
+  {
+    weight_by_distance([](const Neighbor& neighbor) { return neighbor.squared_distance; });
+  }
 
   // (1 - r^2 / R^2)^2 by the squared distances that `squared_distance(neighbor)` tells: smooth, and
   // 0 at the border, so that a point that enters the neighborhood makes no difference. One that is

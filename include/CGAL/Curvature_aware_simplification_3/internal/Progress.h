@@ -8,17 +8,13 @@
 
 #include <functional>
 
-namespace CGAL
-{
-namespace Curvature_aware_simplification_3
-{
-namespace internal
-{
+namespace CGAL {
+namespace Curvature_aware_simplification_3 {
+namespace internal {
 
 // Thrown through the stages when the user's callback returned false; never leaves the package.
 struct Cancelled
-{
-};
+{};
 
 // A part [begin, end] of the progress that the user's callback sees.
 //
@@ -48,9 +44,8 @@ public:
 
 private:
   Progress(const std::function<bool(double)>& callback, double begin, double end)
-      : m_callback(callback), m_begin(begin), m_end(end)
-  {
-  }
+    : m_callback(callback), m_begin(begin), m_end(end)
+  {}
 
   // exact for 0 and 1, so that rounding cannot let the progress fall from one part to the next
   double position(double fraction) const

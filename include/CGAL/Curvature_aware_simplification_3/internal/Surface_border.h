@@ -8,17 +8,14 @@
 
 #include <CGAL/Curvature_aware_simplification_3/internal/Local_surface.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Neighborhood.h>
+#include <CGAL/number_type_config.h>
 
 #include <algorithm>
 #include <cmath>
-#include <cstddef>
 
-namespace CGAL
-{
-namespace Curvature_aware_simplification_3
-{
-namespace internal
-{
+namespace CGAL {
+namespace Curvature_aware_simplification_3 {
+namespace internal {
 
 // Where the input ends around a sample: the half-plane a x + b y <= limit of the tangent plane.
 // Repulsion pushes samples across a border; there they stop, and so the border is kept where it is,
@@ -42,21 +39,19 @@ struct Surface_border
 
 // The mean of the neighbors lies 0.29 R off the center of a half disk, and 0.1 R off that of a disk
 // of 18 random points. Wrongly found borders do no harm: the input's extent is a limit everywhere.
-inline Surface_border find_border(const Neighbor_search& search, std::size_t number_of_points,
-                                  const Local_surface& surface)
+inline Surface_border find_border(Neighborhood& neighborhood, const Local_surface& surface)
 {
-  static thread_local Neighborhood neighborhood;
-  neighborhood.collect(search, surface.origin, (std::min)(std::size_t(19), number_of_points));
   Surface_border border;
   if (!(neighborhood.radius > 0.))
     return border;
-  neighborhood.weight_by_distance([](const Neighborhood::Neighbor& neighbor)
-                                  { return neighbor.squared_distance; });
+  const Vector offset = neighborhood.center - surface.origin;
+  neighborhood.weight_by_distance();
   double x = 0., y = 0., sum = 0.;
   for (const Neighborhood::Neighbor& neighbor : neighborhood.neighbors)
   {
-    x += neighbor.weight * (neighbor.position * surface.u);
-    y += neighbor.weight * (neighbor.position * surface.v);
+    const Vector position = neighbor.position + offset;
+    x += neighbor.weight * (position * surface.u);
+    y += neighbor.weight * (position * surface.v);
     sum += neighbor.weight;
   }
   const double length = std::sqrt(x * x + y * y);
@@ -69,10 +64,14 @@ inline Surface_border find_border(const Neighbor_search& search, std::size_t num
   border.limit = -neighborhood.radius;
   for (const Neighborhood::Neighbor& neighbor : neighborhood.neighbors)
   {
-    const double a = neighbor.position * surface.u, b = neighbor.position * surface.v;
+    const Vector position = neighbor.position + offset;
+    const double a = position * surface.u, b = position * surface.v;
     if (std::abs(a * border.y - b * border.x) < 0.5 * neighborhood.radius)
       border.limit = (std::max)(border.limit, a * border.x + b * border.y);
   }
+  // The last of random points is short of the end by the length that holds one point: 1 / (density x
+  // width), for k points in a disk and a strip as wide as R: pi R / k
+  border.limit += CGAL_PI * neighborhood.radius / static_cast<double>(neighborhood.size());
   return border;
 }
 

@@ -8,12 +8,9 @@
 
 #include <cmath>
 
-namespace CGAL
-{
-namespace Curvature_aware_simplification_3
-{
-namespace internal
-{
+namespace CGAL {
+namespace Curvature_aware_simplification_3 {
+namespace internal {
 
 // theta(r) = exp(-r^2 / (h/4)^2), the weight that localizes both energies (Huang et al. 2009).
 // At the border of its support, r = h, it has fallen to 1e-7.

@@ -8,12 +8,9 @@
 
 #include <cstdint>
 
-namespace CGAL
-{
-namespace Curvature_aware_simplification_3
-{
-namespace internal
-{
+namespace CGAL {
+namespace Curvature_aware_simplification_3 {
+namespace internal {
 
 // Random numbers that are a function of (seed, stream, index): the same whatever the order in which
 // points are visited, the number of threads or the standard library. The generator is SplitMix64
@@ -23,9 +20,8 @@ class Counter_based_random
 {
 public:
   Counter_based_random(std::uint64_t seed, std::uint64_t stream)
-      : m_key(mix(mix(seed + increment) + (stream + 1) * increment))
-  {
-  }
+    : m_key(mix(mix(seed + increment) + (stream + 1) * increment))
+  {}
 
   // uniform over all 64-bit integers
   std::uint64_t bits(std::uint64_t index) const { return mix(m_key + (index + 1) * increment); }

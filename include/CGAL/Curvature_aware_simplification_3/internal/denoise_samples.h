@@ -9,110 +9,104 @@
 #include <CGAL/Curvature_aware_simplification_3/internal/Progress.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/fit_local_surface.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/loops.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/relax_on_surface.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <vector>
 
-namespace CGAL
-{
-namespace Curvature_aware_simplification_3
-{
-namespace internal
-{
+namespace CGAL {
+namespace Curvature_aware_simplification_3 {
+namespace internal {
 
-// What a fit of one size says of a sample
-struct Fit_of_size
+// What the next wider fit changes
+struct Widening
 {
-  Point point;
-  double variance;      // of its height, by noise
-  double squared_error; // estimate of the squared bias that this size adds to the one before
+  Vector shift;    // of the sample
+  double variance; // of the length of the shift, if noise alone causes it
 };
 
-// The fits around x with 1, 2, 4, ... times the neighbors of the narrowest
-inline std::vector<Fit_of_size> fits_of_all_sizes(const Surface_fit& fit, const Point& x,
-                                                  const Vector& normal)
+// The narrowest fit at x, and what fits with 2, 4, ... times its neighbors change one after the other
+struct Fits_of_all_sizes
 {
-  std::vector<Fit_of_size> fits;
-  Local_surface surface = fit_local_surface(fit, x, normal);
-  fits.push_back({surface.origin, surface.error * surface.error, 0.});
+  Point point;
+  std::vector<Widening> widenings;
+};
+
+inline Fits_of_all_sizes fits_of_all_sizes(const Surface_fit& fit, const Surface_sample& x)
+{
+  static thread_local Neighborhood neighborhood;
+  Local_surface surface =
+      fit_local_surface(fit, x.point, x.normal, x.surface.neighbors, neighborhood);
+  Fits_of_all_sizes fits{surface.origin, {}};
   if (!(surface.radius > 0.))
     return fits;
-  Neighborhood neighborhood;
-  neighborhood.collect(fit.search, surface.origin,
-                       (std::min)(smallest_neighborhood, fit.number_of_points));
-  // how many points the narrowest fit had: as many as its area holds at the density of the nearest
-  const double ratio = surface.radius / neighborhood.radius;
-  std::size_t k = (std::max)(
-      smallest_neighborhood,
-      static_cast<std::size_t>(static_cast<double>(smallest_neighborhood) * ratio * ratio));
-  while (k < (std::min)(largest_neighborhood, fit.number_of_points))
+  const std::size_t largest = (std::min)(largest_neighborhood, fit.number_of_points);
+  std::size_t k = surface.neighbors;
+  while (k < largest)
   {
-    k = (std::min)(2 * k, largest_neighborhood);
+    k = (std::min)(2 * k, largest);
     const Local_surface narrow = surface;
-    if (!widen(fit, k, surface))
+    if (!widen(fit, k, neighborhood, surface))
       break;
-    const double shift = (surface.origin - narrow.origin) * surface.n;
-    const double expected = narrow.error * narrow.error - surface.error * surface.error;
-    // an outlier among the shifts has no more say than 50 others
-    fits.push_back({surface.origin, surface.error * surface.error,
-                    (std::min)(shift * shift, 50. * expected) - expected});
+    fits.widenings.push_back({((surface.origin - narrow.origin) * surface.n) * surface.n,
+                              narrow.error * narrow.error - surface.error * surface.error});
   }
   return fits;
 }
 
-// Moves each sample to the fit of the size with the least risk, bias^2 + variance.
+// Moves each sample as far towards wider fits as noise explains that these differ.
 //
-// The variance is known from sigma. The bias shows in how the heights of two sizes differ: for
-// unbiased fits, E[(z_2k - z_k)^2] = var_k - var_2k, as for nested estimators; what exceeds it is
-// bias. One difference tells little, so it is averaged over a sample and its 32 nearest (4 rings),
-// where shape is similar. The bias grows with the square of the number of points, so from z_2k - z_k,
-// the whole is 4/3 of it: its square is 16/9.
+// Of nested least-squares fits z_0, z_1, ... the differences are uncorrelated with the wider one, and
+// noise gives z_m+1 - z_m the variance var_m - var_m+1. What the differences have beyond that is
+// shape, which the wider fit misses. As in a Wiener filter, the share of the noise in the mean
+// square of the difference is the part of the step to take, for the least expected error:
+//   z = z_0 + sum_m w_m (z_m+1 - z_m),  w_m = (var_m - var_m+1) / mean (z_m+1 - z_m)^2,
+// at most 1. One difference tells little, so the mean is over the sample and its 32 nearest (3
+// rings), where shape is similar.
 template <typename ConcurrencyTag>
-std::vector<Point> denoise_samples(const std::vector<Point>& samples,
-                                   const std::vector<Vector>& normals, const Surface_fit& fit,
-                                   const Progress& progress)
+std::vector<Point> denoise_samples(const std::vector<Surface_sample>& samples,
+                                   const Surface_fit& fit, const Progress& progress)
 {
-  constexpr double bias_factor = 16. / 9.;
   constexpr std::size_t pool = 33;
+  // an outlier among the differences has no more say than 50 others
+  constexpr double largest_square = 50.;
 
-  std::vector<std::vector<Fit_of_size>> fits(samples.size());
+  std::vector<Fits_of_all_sizes> fits(samples.size());
+  std::vector<Point> points(samples.size());
   for_each_index<ConcurrencyTag>(samples.size(), progress,
                                  [&](std::size_t i)
-                                 { fits[i] = fits_of_all_sizes(fit, samples[i], normals[i]); });
+                                 {
+    fits[i] = fits_of_all_sizes(fit, samples[i]);
+    points[i] = fits[i].point;
+  });
 
-  const Neighbor_search search(samples, ConcurrencyTag());
+  const Neighbor_search search(points, ConcurrencyTag());
   std::vector<Point> result(samples.size());
-  for_each_index<ConcurrencyTag>(
-      0, samples.size(),
-      [&](std::size_t i)
+  for_each_index<ConcurrencyTag>(0, samples.size(),
+                                 [&](std::size_t i)
+                                 {
+    const std::size_t steps = fits[i].widenings.size();
+    std::vector<double> square(steps, 0.), expected(steps, 0.);
+    search.for_each_nearest(points[i], (std::min)(pool, samples.size()),
+                            [&](std::size_t j, const Point&, double)
+                            {
+      const std::vector<Widening>& other = fits[j].widenings;
+      for (std::size_t m = 0; m < (std::min)(steps, other.size()); ++m)
       {
-        const std::size_t sizes = fits[i].size();
-        std::vector<double> bias(sizes, 0.), variance(sizes, 0.), count(sizes, 0.);
-        search.for_each_nearest(samples[i], (std::min)(pool, samples.size()),
-                                [&](std::size_t j, const Point&, double)
-                                {
-                                  for (std::size_t m = 0; m < (std::min)(sizes, fits[j].size());
-                                       ++m)
-                                  {
-                                    bias[m] += fits[j][m].squared_error;
-                                    variance[m] += fits[j][m].variance;
-                                    count[m] += 1.;
-                                  }
-                                });
-        std::size_t best = 0;
-        double least_risk = variance[0] / count[0];
-        for (std::size_t m = 1; m < sizes; ++m)
-        {
-          const double risk = (bias_factor * (std::max)(bias[m], 0.) + variance[m]) / count[m];
-          if (risk > least_risk)
-            break;
-          least_risk = risk;
-          best = m;
-        }
-        result[i] = fits[i][best].point;
-      });
+        square[m] +=
+            (std::min)(other[m].shift.squared_length(), largest_square * other[m].variance);
+        expected[m] += other[m].variance;
+      }
+    });
+    result[i] = points[i];
+    for (std::size_t m = 0; m < steps; ++m)
+    {
+      const double part = square[m] > expected[m] ? expected[m] / square[m] : 1.;
+      result[i] = result[i] + part * fits[i].widenings[m].shift;
+    }
+  });
   return result;
 }
 

@@ -13,12 +13,9 @@
 #include <cstddef>
 #include <vector>
 
-namespace CGAL
-{
-namespace Curvature_aware_simplification_3
-{
-namespace internal
-{
+namespace CGAL {
+namespace Curvature_aware_simplification_3 {
+namespace internal {
 
 // The local density of each point (Huang et al. 2009, eq. 3): 1 + sum of theta over the others,
 // which is the sum over all, since theta(0) = 1.
@@ -31,13 +28,12 @@ std::vector<double> density_weights(const std::vector<Point>& points, const Neig
   for_each_index<ConcurrencyTag>(points.size(), progress,
                                  [&](std::size_t i)
                                  {
-                                   double sum = 0.;
-                                   search.for_each_within(
-                                       points[i], radius,
-                                       [&](std::size_t, const Point&, double squared_distance)
-                                       { sum += theta(squared_distance); });
-                                   weights[i] = sum;
-                                 });
+    double sum = 0.;
+    search.for_each_within(points[i], radius,
+                           [&](std::size_t, const Point&, double squared_distance)
+                           { sum += theta(squared_distance); });
+    weights[i] = sum;
+  });
   return weights;
 }
 

@@ -18,12 +18,9 @@
 #include <limits>
 #include <vector>
 
-namespace CGAL
-{
-namespace Curvature_aware_simplification_3
-{
-namespace internal
-{
+namespace CGAL {
+namespace Curvature_aware_simplification_3 {
+namespace internal {
 
 // What the selection and the weights know of a point (paper, sec. 4.1, step 1)
 struct Features
@@ -81,19 +78,19 @@ Local_features local_features(const Neighbor_search& search, const Point& query,
   search.for_each_nearest(query, number_of_points,
                           [&](std::size_t j, const Point& p, double squared_distance)
                           {
-                            visit(j);
-                            squared_radius = (std::max)(squared_radius, squared_distance);
-                            const Vector v = p - query;
-                            x += v.x();
-                            y += v.y();
-                            z += v.z();
-                            xx += v.x() * v.x();
-                            xy += v.x() * v.y();
-                            xz += v.x() * v.z();
-                            yy += v.y() * v.y();
-                            yz += v.y() * v.z();
-                            zz += v.z() * v.z();
-                          });
+    visit(j);
+    squared_radius = (std::max)(squared_radius, squared_distance);
+    const Vector v = p - query;
+    x += v.x();
+    y += v.y();
+    z += v.z();
+    xx += v.x() * v.x();
+    xy += v.x() * v.y();
+    xz += v.x() * v.z();
+    yy += v.y() * v.y();
+    yz += v.y() * v.z();
+    zz += v.z() * v.z();
+  });
   const double n = static_cast<double>(number_of_points);
   const std::array<double, 6> covariance = {(xx - x * x / n) / n, (xy - x * y / n) / n,
                                             (xz - x * z / n) / n, (yy - y * y / n) / n,
@@ -120,13 +117,12 @@ Features compute_features(const Cloud& cloud, const Neighbor_search& search,
   for_each_index<ConcurrencyTag>(n, progress,
                                  [&](std::size_t i)
                                  {
-                                   const Local_features local = local_features<DiagonalizeTraits>(
-                                       search, cloud.points[i], size, cloud.coordinate_error,
-                                       [&](std::size_t j)
-                                       { votes[j].fetch_add(1, std::memory_order_relaxed); });
-                                   features.curvature[i] = local.curvature;
-                                   features.inverse_density[i] = local.inverse_density;
-                                 });
+    const Local_features local = local_features<DiagonalizeTraits>(
+        search, cloud.points[i], size, cloud.coordinate_error,
+        [&](std::size_t j) { votes[j].fetch_add(1, std::memory_order_relaxed); });
+    features.curvature[i] = local.curvature;
+    features.inverse_density[i] = local.inverse_density;
+  });
   for (std::size_t i = 0; i < n; ++i)
     features.votes[i] = votes[i].load(std::memory_order_relaxed) - 1; // not its own
 

@@ -16,12 +16,9 @@
 #include <cstdint>
 #include <vector>
 
-namespace CGAL
-{
-namespace Curvature_aware_simplification_3
-{
-namespace internal
-{
+namespace CGAL {
+namespace Curvature_aware_simplification_3 {
+namespace internal {
 
 // Which points do not belong to a surface: 1 for outliers. O(n + (k + log n) outliers)
 //
@@ -61,21 +58,21 @@ std::vector<std::uint8_t> find_outliers(const Cloud& cloud, const Neighbor_searc
       found.push_back(i);
     }
   }
-  // Where there are outliers, half of the votes are asked for: it costs some points of borders,
-  // and finds nearly all outliers that are farther off than the input's spacing.
+  // Where there are more than a few outliers, half of the votes are asked for: it costs some points of
+  // borders, and finds nearly all outliers that are farther off than the input's spacing.
+  const std::size_t needed_votes = found.size() > n / 1000 ? k / 2 : few_votes;
   while (!found.empty())
   {
     for_each_index<ConcurrencyTag>(0, found.size(),
                                    [&](std::size_t i)
                                    {
-                                     search.for_each_nearest(
-                                         cloud.points[found[i]], k + 1,
-                                         [&](std::size_t j, const Point&, double)
-                                         { votes[j].fetch_sub(1, std::memory_order_relaxed); });
-                                   });
+      search.for_each_nearest(cloud.points[found[i]], k + 1,
+                              [&](std::size_t j, const Point&, double)
+                              { votes[j].fetch_sub(1, std::memory_order_relaxed); });
+    });
     found.clear();
     for (std::size_t i = 0; i < n; ++i)
-      if (!is_outlier[i] && votes[i].load(std::memory_order_relaxed) < k / 2)
+      if (!is_outlier[i] && votes[i].load(std::memory_order_relaxed) < needed_votes)
       {
         is_outlier[i] = 1;
         found.push_back(i);

@@ -6,6 +6,7 @@
 #ifndef CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_FIT_LOCAL_SURFACE_H
 #define CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_FIT_LOCAL_SURFACE_H
 
+#include <CGAL/Curvature_aware_simplification_3/internal/Adaptive_settings.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/fit_quadric.h>
 
 #include <algorithm>
@@ -13,12 +14,9 @@
 #include <cstddef>
 #include <vector>
 
-namespace CGAL
-{
-namespace Curvature_aware_simplification_3
-{
-namespace internal
-{
+namespace CGAL {
+namespace Curvature_aware_simplification_3 {
+namespace internal {
 
 // How local surfaces are fitted to the input
 struct Surface_fit
@@ -26,6 +24,7 @@ struct Surface_fit
   const Neighbor_search& search;
   std::size_t number_of_points; // of the search
   double noise;                 // standard deviation sigma of the input's noise
+  Adaptive_settings settings = Adaptive_settings();
 };
 
 // 18 neighbors, two rings around a point: three for each coefficient of a quadric
@@ -48,8 +47,8 @@ inline double robust_weight(double residual, double spread)
 // Standard deviation of the residuals, from their median: no outlier and no second sheet moves it
 inline double residual_spread(const Neighborhood& neighborhood, const Local_surface& surface)
 {
-  std::vector<double> residuals;
-  residuals.reserve(neighborhood.size());
+  static thread_local std::vector<double> residuals;
+  residuals.clear();
   for (const Neighborhood::Neighbor& neighbor : neighborhood.neighbors)
     residuals.push_back(std::abs(surface.residual(neighbor.position)));
   const auto median = residuals.begin() + static_cast<std::ptrdiff_t>(residuals.size() / 2);
@@ -60,13 +59,16 @@ inline double residual_spread(const Neighborhood& neighborhood, const Local_surf
 }
 
 // The narrowest surface that can be trusted, around the foot point of x: a quadric by iteratively
-// reweighted least squares. `normal` is a guess, or the null vector where there is none.
-inline Local_surface fit_local_surface(const Surface_fit& fit, const Point& x, const Vector& normal)
+// reweighted least squares. `normal` is a guess, or the null vector where there is none, and
+// `expected_neighbors` how many neighbors may be needed, or 0. The neighbors are left in
+// `neighborhood`.
+inline Local_surface fit_local_surface(const Surface_fit& fit, const Point& x, const Vector& normal,
+                                       std::size_t expected_neighbors, Neighborhood& neighborhood)
 {
-  static thread_local Neighborhood neighborhood;
   const bool has_guess = normal != NULL_VECTOR;
-  std::size_t k = (std::min)(smallest_neighborhood, fit.number_of_points);
+  const double wanted_radius = smallest_radius_in_noise * fit.noise;
   const std::size_t largest = (std::min)(largest_neighborhood, fit.number_of_points);
+  std::size_t k = (std::min)((std::max)(smallest_neighborhood, expected_neighbors), largest);
 
   Local_surface surface;
   surface.origin = x;
@@ -74,11 +76,10 @@ inline Local_surface fit_local_surface(const Surface_fit& fit, const Point& x, c
     surface.n = normal;
   surface.complete_frame();
   // A ball around a point off the surface holds more of the noise on its side: it is moved to the
-  // foot point. Three moves bring a point from 4 sigma to within the tolerance of sigma / 2.
+  // foot point.
   for (int moves = 0;;)
   {
     neighborhood.collect(fit.search, surface.origin, k);
-    const double wanted_radius = smallest_radius_in_noise * fit.noise;
     if (neighborhood.radius < wanted_radius && k < largest)
     {
       // points on a surface grow with the square of the radius; 10 % more spare a second query
@@ -90,12 +91,20 @@ inline Local_surface fit_local_surface(const Surface_fit& fit, const Point& x, c
     if (!(neighborhood.radius > 0.))
       return surface;
 
+    // a point that starts a sample has no say itself: it may be an outlier
     const auto weight_by_distance = [&]
     {
-      neighborhood.weight_by_distance([](const Neighborhood::Neighbor& neighbor)
-                                      { return neighbor.squared_distance; });
+      neighborhood.weight_by_distance();
+      if (!has_guess)
+        for (Neighborhood::Neighbor& neighbor : neighborhood.neighbors)
+          if (neighbor.squared_distance == 0.)
+            neighbor.weight = 0.;
     };
+    // First a plane of the inner neighbors: the ball may reach another sheet, which the next rounds
+    // then leave out.
     weight_by_distance();
+    for (Neighborhood::Neighbor& neighbor : neighborhood.neighbors)
+      neighbor.weight = neighbor.weight * neighbor.weight * neighbor.weight;
     if (!has_guess && moves == 0)
     {
       surface.n = plane_normal(neighborhood);
@@ -103,7 +112,8 @@ inline Local_surface fit_local_surface(const Surface_fit& fit, const Point& x, c
     }
     Local_surface fitted = surface;
     fitted.radius = neighborhood.radius;
-    bool success = fit_quadric(neighborhood, fit.noise, fitted);
+    fitted.neighbors = k;
+    bool success = fit_quadric(neighborhood, fit.noise, fitted, 3);
     for (int round = 0; round < 2 && success; ++round)
     {
       fitted.spread = (std::max)(residual_spread(neighborhood, fitted), fit.noise);
@@ -118,7 +128,7 @@ inline Local_surface fit_local_surface(const Surface_fit& fit, const Point& x, c
       return surface;
     const double distance = std::abs(fitted.c[0]);
     fitted.move_to_foot_point();
-    if (!(fit.noise > 0. && distance > 0.5 * fit.noise && moves < 3))
+    if (!(fit.noise > 0. && distance > 0.5 * fit.noise && moves < fit.settings.moves_to_foot_point))
       return fitted;
     ++moves;
     surface.origin = fitted.origin;
@@ -127,20 +137,20 @@ inline Local_surface fit_local_surface(const Surface_fit& fit, const Point& x, c
   }
 }
 
-// The surface from twice as many neighbors; false if that does not reduce its error. The narrower
-// one tells by the height which points belong to the same sheet, with a tolerance that grows
-// outwards as its own uncertainty does. Distances count in the tangent plane: in a ball, the noise
-// of a neighbor would decide over its weight.
-inline bool widen(const Surface_fit& fit, std::size_t k, Local_surface& surface)
+// The surface from the k nearest points, more than `surface` was fitted to; false if that does not
+// reduce its error. The narrower one tells by the height which points belong
+// to the same sheet, with a tolerance that grows outwards as its own uncertainty does. Distances
+// count in the tangent plane: in a ball, the noise of a neighbor would decide over its weight.
+inline bool widen(const Surface_fit& fit, std::size_t k, Neighborhood& neighborhood,
+                  Local_surface& surface)
 {
-  static thread_local Neighborhood neighborhood;
   neighborhood.collect(fit.search, surface.origin, (std::min)(k, fit.number_of_points));
   neighborhood.weight_by_distance(
       [&](const Neighborhood::Neighbor& neighbor)
       {
-        const double h = neighbor.position * surface.n;
-        return neighbor.squared_distance - h * h;
-      });
+    const double h = neighbor.position * surface.n;
+    return neighbor.squared_distance - h * h;
+  });
   for (Neighborhood::Neighbor& neighbor : neighborhood.neighbors)
   {
     const double r2 = neighbor.squared_distance / (surface.radius * surface.radius);
@@ -149,6 +159,7 @@ inline bool widen(const Surface_fit& fit, std::size_t k, Local_surface& surface)
   }
   Local_surface wider = surface;
   wider.radius = neighborhood.radius;
+  wider.neighbors = k;
   if (!fit_quadric(neighborhood, fit.noise, wider) || !(wider.error < surface.error))
     return false;
   wider.move_to_foot_point();

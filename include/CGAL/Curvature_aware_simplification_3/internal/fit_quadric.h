@@ -16,12 +16,9 @@
 #include <algorithm>
 #include <cmath>
 
-namespace CGAL
-{
-namespace Curvature_aware_simplification_3
-{
-namespace internal
-{
+namespace CGAL {
+namespace Curvature_aware_simplification_3 {
+namespace internal {
 
 // The normal of the weighted least-squares plane
 inline Vector plane_normal(const Neighborhood& neighborhood)
@@ -47,9 +44,10 @@ inline Vector plane_normal(const Neighborhood& neighborhood)
   return length > 0.5 ? Vector(n.x() / length, n.y() / length, n.z() / length) : Vector(0., 0., 1.);
 }
 
-// The quadric with the least squared heights of the weighted neighbors, in the frame of `surface`.
-// Its `error` is what noise of standard deviation `noise` makes of c0. Returns false if it fails.
-inline bool fit_quadric(const Neighborhood& neighborhood, double noise, Local_surface& surface)
+// The quadric with the least squared heights of the weighted neighbors, in the frame of `surface`;
+// with 3 `coefficients` instead of 6, the plane. Its `error` is what noise of standard deviation `noise` makes of c0. Returns false if it fails.
+inline bool fit_quadric(const Neighborhood& neighborhood, double noise, Local_surface& surface,
+                        int coefficients = 6)
 {
   // in the unit of the radius, so that all entries of the matrix are of one size
   using Matrix = Eigen::Matrix<double, 6, 6>;
@@ -79,16 +77,22 @@ inline bool fit_quadric(const Neighborhood& neighborhood, double noise, Local_su
   for (int i = 1; i < 6; ++i)
     matrix(i, i) += (i < 3 ? 1e-9 : 1e-5) * sum;
 
+  if (coefficients < 6)
+  { // the others are 0
+    matrix.bottomRows<3>().setZero();
+    matrix.bottomRightCorner<3, 3>().setIdentity();
+    right.tail<3>().setZero();
+  }
   const Eigen::LDLT<Matrix> solver(matrix.selfadjointView<Eigen::Lower>());
   const Column c = solver.solve(right);
-  const Column influence = solver.solve(Column::Unit(0));
-  if (!c.allFinite() || !influence.allFinite())
+  const double influence = noise > 0. ? solver.solve(Column::Unit(0))(0) : 0.;
+  if (!c.allFinite() || !std::isfinite(influence))
     return false;
   for (int i = 0; i < 6; ++i)
     surface.c[i] = c(i) * (i == 0 ? unit : i < 3 ? 1. : 1. / unit);
   // var(c0) = sigma^2 (A^-1 B A^-1)_00 with A = sum w b b', B = sum w^2 b b', taken as A times the
   // mean weight
-  surface.error = noise * std::sqrt((std::max)(influence(0), 0.) * sum_of_squares / sum);
+  surface.error = noise * std::sqrt((std::max)(influence, 0.) * sum_of_squares / sum);
   return true;
 }
 

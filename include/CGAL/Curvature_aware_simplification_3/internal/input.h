@@ -23,12 +23,9 @@
 #include <type_traits>
 #include <vector>
 
-namespace CGAL
-{
-namespace Curvature_aware_simplification_3
-{
-namespace internal
-{
+namespace CGAL {
+namespace Curvature_aware_simplification_3 {
+namespace internal {
 
 // Types that follow from the point range and the named parameters
 template <typename PointRange, typename NamedParameters>

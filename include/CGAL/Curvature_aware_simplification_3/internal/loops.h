@@ -17,12 +17,9 @@
 #include <cstddef>
 #include <vector>
 
-namespace CGAL
-{
-namespace Curvature_aware_simplification_3
-{
-namespace internal
-{
+namespace CGAL {
+namespace Curvature_aware_simplification_3 {
+namespace internal {
 
 // kernel(i) for all i in [begin, end). The kernel writes only what belongs to i, so that the result
 // does not depend on the tag or on the number of threads.
@@ -33,9 +30,9 @@ void for_each_index(std::size_t begin, std::size_t end, const Kernel& kernel)
   CGAL::for_each<ConcurrencyTag>(CGAL::make_range(Iterator(begin), Iterator(end)),
                                  [&](const std::size_t& i) -> bool
                                  {
-                                   kernel(i);
-                                   return true;
-                                 });
+    kernel(i);
+    return true;
+  });
 }
 
 // The same over [0, size), with progress reported between blocks. 20 blocks are often enough for a
@@ -63,13 +60,13 @@ T reduce_indices(std::size_t size, const T& identity, const Value& value, const 
   for_each_index<ConcurrencyTag>(0, partial_results.size(),
                                  [&](std::size_t block)
                                  {
-                                   const std::size_t begin = block * block_size;
-                                   const std::size_t end = (std::min)(size, begin + block_size);
-                                   T result = identity;
-                                   for (std::size_t i = begin; i < end; ++i)
-                                     result = combine(result, value(i));
-                                   partial_results[block] = result;
-                                 });
+    const std::size_t begin = block * block_size;
+    const std::size_t end = (std::min)(size, begin + block_size);
+    T result = identity;
+    for (std::size_t i = begin; i < end; ++i)
+      result = combine(result, value(i));
+    partial_results[block] = result;
+  });
 
   T result = identity;
   for (const T& partial_result : partial_results)

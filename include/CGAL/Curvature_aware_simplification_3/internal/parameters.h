@@ -28,12 +28,9 @@ Put this package's include directory in front of CGAL's; with CMake, link \
 Curvature_aware_simplification_3::Curvature_aware_simplification_3."
 #endif
 
-namespace CGAL
-{
-namespace Curvature_aware_simplification_3
-{
-namespace internal
-{
+namespace CGAL {
+namespace Curvature_aware_simplification_3 {
+namespace internal {
 
 // A parameter that is out of range: the message names it, its value and what is allowed.
 template <typename Value>

@@ -16,12 +16,9 @@
 #include <cstddef>
 #include <vector>
 
-namespace CGAL
-{
-namespace Curvature_aware_simplification_3
-{
-namespace internal
-{
+namespace CGAL {
+namespace Curvature_aware_simplification_3 {
+namespace internal {
 
 // The input points as eq. 8 sees them
 struct Attractors
@@ -76,10 +73,9 @@ inline Vector attraction(const Attractors& attractors, const Point& x, double ra
   attractors.search.for_each_within(x, radius,
                                     [&](std::size_t j, const Point& p, double squared_distance)
                                     {
-                                      const double alpha = theta(squared_distance) /
-                                                           (std::sqrt(squared_distance) + tiny);
-                                      mean.add(alpha * attractors.weight[j], p - x);
-                                    });
+    const double alpha = theta(squared_distance) / (std::sqrt(squared_distance) + tiny);
+    mean.add(alpha * attractors.weight[j], p - x);
+  });
   return mean.mean();
 }
 
@@ -94,16 +90,15 @@ inline Vector repulsion(const Samples& samples, const Neighbor_search& search,
   const Point& x = samples.points[sample];
 
   Weighted_mean mean;
-  search.for_each_within(
-      x, radius,
-      [&](std::size_t i, const Point& x_i, double squared_distance)
-      {
-        if (squared_distance == 0.) // the sample itself; of others, no direction leads away
-          return;
-        const double beta = theta(squared_distance) / std::sqrt(squared_distance);
-        const double phi = Curvature_weights::repulsion(amplitude[sample], amplitude[i]);
-        mean.add(beta * phi * (density.empty() ? 1. : density[i]), x - x_i);
-      });
+  search.for_each_within(x, radius,
+                         [&](std::size_t i, const Point& x_i, double squared_distance)
+                         {
+    if (squared_distance == 0.) // the sample itself; of others, no direction leads away
+      return;
+    const double beta = theta(squared_distance) / std::sqrt(squared_distance);
+    const double phi = Curvature_weights::repulsion(amplitude[sample], amplitude[i]);
+    mean.add(beta * phi * (density.empty() ? 1. : density[i]), x - x_i);
+  });
   return mean.mean();
 }
 
@@ -124,22 +119,19 @@ Samples relax(const Samples& samples, const Attractors& attractors,
   std::vector<double> amplitude(n);
   for_each_index<ConcurrencyTag>(0, n,
                                  [&](std::size_t i) {
-                                   amplitude[i] =
-                                       curvature_weights.repulsion_amplitude(samples.curvature[i]);
-                                 });
+    amplitude[i] = curvature_weights.repulsion_amplitude(samples.curvature[i]);
+  });
 
   Samples moved = samples;
   for_each_index<ConcurrencyTag>(n, progress,
                                  [&](std::size_t i)
                                  {
-                                   const Point& x = samples.points[i];
-                                   const Vector attracted = attraction(attractors, x, h);
-                                   const Vector repulsed =
-                                       repulsion(samples, search, amplitude, density, h, i);
-                                   moved.points[i] =
-                                       x + attracted + relaxation.repulsion_weight * repulsed;
-                                   moved.curvature[i] = curvature_at(moved.points[i]);
-                                 });
+    const Point& x = samples.points[i];
+    const Vector attracted = attraction(attractors, x, h);
+    const Vector repulsed = repulsion(samples, search, amplitude, density, h, i);
+    moved.points[i] = x + attracted + relaxation.repulsion_weight * repulsed;
+    moved.curvature[i] = curvature_at(moved.points[i]);
+  });
   return moved;
 }
 

@@ -16,12 +16,9 @@
 #include <cstddef>
 #include <vector>
 
-namespace CGAL
-{
-namespace Curvature_aware_simplification_3
-{
-namespace internal
-{
+namespace CGAL {
+namespace Curvature_aware_simplification_3 {
+namespace internal {
 
 // A sample with the surface that it moves on
 struct Surface_sample
@@ -44,8 +41,9 @@ struct Surface_sample
   // fits the surface around x, and puts the sample on it
   void place(const Surface_fit& fit, const Point& x, const Vector& guess)
   {
-    surface = fit_local_surface(fit, x, guess);
-    border = find_border(fit.search, fit.number_of_points, surface);
+    static thread_local Neighborhood neighborhood;
+    surface = fit_local_surface(fit, x, guess, surface.neighbors, neighborhood);
+    border = fit.settings.keep_borders ? find_border(neighborhood, surface) : Surface_border();
     double at_a = 0., at_b = 0.;
     border.restrict(at_a, at_b);
     move_to(at_a, at_b);
@@ -55,14 +53,12 @@ struct Surface_sample
 // Second term of eq. 8 in the tangent plane of the sample: the mean of (x - x_i) with the weights
 // beta_i phi_2.
 //
-// Distances are measured in spacings, rho = |x - x_i| / s. theta(rho) = exp(-1.5 rho^2) is that of
-// the paper for h = 3.3 s; the narrow one of h = 2 s knows only the nearest neighbor, and is slow to
-// even out (measured over eight shapes: 8 % less error with the wider). Heights over the tangent
-// plane count twice, so that the two sides of a thin part hardly see each other.
-// phi_2 = s_i^2: where n phi_2 is the same everywhere, the forces balance, so the density n of the
-// samples tends to what is wanted, 1 / s^2; it falls with the curvature as in eq. 3 and 4.
+// Distances are measured in spacings, rho = |x - x_i| / s. phi_2 = s_i^2: where n phi_2 is the same
+// everywhere, the forces balance, so the density n of the samples tends to what is wanted, 1 / s^2;
+// it falls with the curvature as in eq. 3 and 4.
 inline Vector tangential_repulsion(const std::vector<Surface_sample>& samples,
-                                   const Neighbor_search& search, std::size_t sample)
+                                   const Neighbor_search& search, std::size_t sample,
+                                   const Adaptive_settings& settings)
 {
   constexpr double reach = 2.; // in spacings, where theta has fallen to 0.0025: two rings
   const Surface_sample& x = samples[sample];
@@ -72,17 +68,17 @@ inline Vector tangential_repulsion(const std::vector<Surface_sample>& samples,
   search.for_each_within(x.point, reach * x.spacing,
                          [&](std::size_t i, const Point& x_i, double squared_distance)
                          {
-                           if (squared_distance == 0.) // itself; of others, no direction leads away
-                             return;
-                           const Vector d = x.point - x_i;
-                           const double h = d * x.normal;
-                           const Vector t = d - h * x.normal;
-                           const double rho2 = (t.squared_length() + 4. * h * h) * inverse;
-                           const double phi = samples[i].spacing * samples[i].spacing * inverse;
-                           const double beta = std::exp(-1.5 * rho2) / std::sqrt(rho2) * phi;
-                           sum = sum + beta * t;
-                           weight += beta;
-                         });
+    if (squared_distance == 0.) // itself; of others, no direction leads away
+      return;
+    const Vector d = x.point - x_i;
+    const double h = d * x.normal;
+    const Vector t = d - h * x.normal;
+    const double rho2 = (t.squared_length() + settings.weight_of_height * h * h) * inverse;
+    const double phi = samples[i].spacing * samples[i].spacing * inverse;
+    const double beta = std::exp(-settings.sharpness_of_repulsion * rho2) / std::sqrt(rho2) * phi;
+    sum = sum + beta * t;
+    weight += beta;
+  });
   return weight > 0. ? sum / weight : Vector(0., 0., 0.);
 }
 
@@ -101,27 +97,26 @@ std::vector<Surface_sample> relax_on_surface(const std::vector<Surface_sample>& 
   const Neighbor_search search(points, ConcurrencyTag());
 
   std::vector<Surface_sample> moved = samples;
-  for_each_index<ConcurrencyTag>(
-      samples.size(), progress,
-      [&](std::size_t i)
-      {
-        Surface_sample& x = moved[i];
-        Vector step = repulsion_weight * tangential_repulsion(samples, search, i);
-        const double length = std::sqrt(step.squared_length());
-        if (length > 0.5 * x.spacing) // further, and neighbors could pass each other
-          step = step * (0.5 * x.spacing / length);
-        double a = x.a + step * x.surface.u, b = x.b + step * x.surface.v;
-        x.border.restrict(a, b);
-        const double distance = std::sqrt(a * a + b * b);
-        if (distance <= trusted * x.surface.radius)
-        {
-          x.move_to(a, b);
-          return;
-        }
-        // beyond the fit, it is followed for half its radius at most
-        const double part = (std::min)(1., 1.5 * x.surface.radius / distance);
-        x.place(fit, x.surface.point(part * a, part * b), x.surface.normal(part * a, part * b));
-      });
+  for_each_index<ConcurrencyTag>(samples.size(), progress,
+                                 [&](std::size_t i)
+                                 {
+    Surface_sample& x = moved[i];
+    Vector step = repulsion_weight * tangential_repulsion(samples, search, i, fit.settings);
+    const double length = std::sqrt(step.squared_length());
+    if (length > 0.5 * x.spacing) // further, and neighbors could pass each other
+      step = step * (0.5 * x.spacing / length);
+    double a = x.a + step * x.surface.u, b = x.b + step * x.surface.v;
+    x.border.restrict(a, b);
+    const double distance = std::sqrt(a * a + b * b);
+    if (distance <= trusted * x.surface.radius)
+    {
+      x.move_to(a, b);
+      return;
+    }
+    // beyond the fit, it is followed for half its radius at most
+    const double part = (std::min)(1., 1.5 * x.surface.radius / distance);
+    x.place(fit, x.surface.point(part * a, part * b), x.surface.normal(part * a, part * b));
+  });
   return moved;
 }
 
@@ -139,13 +134,12 @@ void smooth_spacings(std::vector<Surface_sample>& samples)
   for_each_index<ConcurrencyTag>(0, samples.size(),
                                  [&](std::size_t i)
                                  {
-                                   double sum = 0.;
-                                   search.for_each_nearest(
-                                       points[i], k,
-                                       [&](std::size_t j, const Point&, double)
-                                       { sum += std::log(samples[j].spacing); });
-                                   smooth[i] = std::exp(sum / static_cast<double>(k));
-                                 });
+    double sum = 0.;
+    search.for_each_nearest(points[i], k,
+                            [&](std::size_t j, const Point&, double)
+                            { sum += std::log(samples[j].spacing); });
+    smooth[i] = std::exp(sum / static_cast<double>(k));
+  });
   for (std::size_t i = 0; i < samples.size(); ++i)
     samples[i].spacing = smooth[i];
 }

@@ -20,29 +20,9 @@
 #include <cstddef>
 #include <vector>
 
-namespace CGAL
-{
-namespace Curvature_aware_simplification_3
-{
-namespace internal
-{
-
-// The positions of the selected points, along the Hilbert curve of the cloud, so that samples that
-// are neighbors in space are neighbors in memory
-inline std::vector<Point> positions(const Cloud& cloud, const std::vector<std::size_t>& selected)
-{
-  std::vector<std::size_t> order;
-  order.reserve(selected.size());
-  for (std::size_t i : selected)
-    order.push_back(cloud.distinct_index[i]);
-  std::sort(order.begin(), order.end());
-
-  std::vector<Point> result;
-  result.reserve(order.size());
-  for (std::size_t j : order)
-    result.push_back(cloud.points[j]);
-  return result;
-}
+namespace CGAL {
+namespace Curvature_aware_simplification_3 {
+namespace internal {
 
 // The samples after all iterations of eq. 8 with support radius h, in the frame
 template <typename ConcurrencyTag, typename DiagonalizeTraits>
@@ -58,9 +38,8 @@ std::vector<Point> relax_repeatedly(const std::vector<Point>& initial_samples, c
   Attractors attractors{search, std::vector<double>(cloud.size())};
   for_each_index<ConcurrencyTag>(0, cloud.size(),
                                  [&](std::size_t j) {
-                                   attractors.weight[j] =
-                                       curvature_weights.attraction(scale * features.curvature[j]);
-                                 });
+    attractors.weight[j] = curvature_weights.attraction(scale * features.curvature[j]);
+  });
   if (parameters.require_uniform_sampling)
   {
     const std::vector<double> density =

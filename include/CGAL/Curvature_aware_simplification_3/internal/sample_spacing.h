@@ -16,12 +16,9 @@
 #include <cstddef>
 #include <vector>
 
-namespace CGAL
-{
-namespace Curvature_aware_simplification_3
-{
-namespace internal
-{
+namespace CGAL {
+namespace Curvature_aware_simplification_3 {
+namespace internal {
 
 // The default of h: the ball around a sample holds two rings of others. CGAL's manual of WLOP asks for
 // at least that, and theta lets more have no effect.
@@ -49,13 +46,11 @@ double sample_spacing(const std::vector<Point>& samples)
   for_each_index<ConcurrencyTag>(0, samples.size(),
                                  [&](std::size_t i)
                                  {
-                                   search.for_each_nearest(
-                                       samples[i], size,
-                                       [&](std::size_t, const Point&, double squared_distance) {
-                                         squared_radius[i] =
-                                             (std::max)(squared_radius[i], squared_distance);
-                                       });
-                                 });
+    search.for_each_nearest(samples[i], size,
+                            [&](std::size_t, const Point&, double squared_distance) {
+      squared_radius[i] = (std::max)(squared_radius[i], squared_distance);
+    });
+  });
 
   // samples that coincide with all their neighbors tell nothing
   squared_radius.erase(std::remove(squared_radius.begin(), squared_radius.end(), 0.),

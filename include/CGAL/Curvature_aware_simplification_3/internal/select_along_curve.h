@@ -12,12 +12,9 @@
 #include <cstdint>
 #include <vector>
 
-namespace CGAL
-{
-namespace Curvature_aware_simplification_3
-{
-namespace internal
-{
+namespace CGAL {
+namespace Curvature_aware_simplification_3 {
+namespace internal {
 
 // Exactly `number` of the points, in their order, with probabilities proportional to `weight`:
 // systematic sampling along the Hilbert curve. The curve is cut into pieces of equal weight, and

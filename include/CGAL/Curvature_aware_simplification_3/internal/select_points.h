@@ -18,12 +18,9 @@
 #include <tuple>
 #include <vector>
 
-namespace CGAL
-{
-namespace Curvature_aware_simplification_3
-{
-namespace internal
-{
+namespace CGAL {
+namespace Curvature_aware_simplification_3 {
+namespace internal {
 
 // Curvature- and density-aware stochastic selection (paper, sec. 4.1)
 class Selection_probability
@@ -32,13 +29,12 @@ public:
   // N of M points, `curvature_weight` = w_kappa = 1 - w_rho, `adaptivity` = alpha
   Selection_probability(double ratio, double curvature_weight, double adaptivity,
                         double mean_curvature, double mean_inverse_density)
-      : m_ratio(ratio),
-        m_curvature_weight(curvature_weight),
-        m_adaptivity(adaptivity),
-        m_mean_curvature(mean_curvature),
-        m_mean_inverse_density(mean_inverse_density)
-  {
-  }
+    : m_ratio(ratio),
+      m_curvature_weight(curvature_weight),
+      m_adaptivity(adaptivity),
+      m_mean_curvature(mean_curvature),
+      m_mean_inverse_density(mean_inverse_density)
+  {}
 
   // F_i = (N/M) (w_rho   (1 + alpha ((1/rho_i) / mean(1/rho) - 1))
   //            + w_kappa (1 + alpha (kappa_i   / mean(kappa) - 1)))
@@ -89,16 +85,14 @@ std::vector<std::size_t> select_points(const Cloud& cloud, const Features& featu
   for_each_index<ConcurrencyTag>(0, state.size(),
                                  [&](std::size_t i)
                                  {
-                                   const std::size_t j = cloud.distinct_index[i];
-                                   if (cloud.input_index[j] != i)
-                                     state[i] = DUPLICATE;
-                                   else
-                                     state[i] =
-                                         draw.uniform(i) < probability(features.curvature[j],
-                                                                       features.inverse_density[j])
-                                             ? DRAWN
-                                             : DISTINCT;
-                                 });
+    const std::size_t j = cloud.distinct_index[i];
+    if (cloud.input_index[j] != i)
+      state[i] = DUPLICATE;
+    else
+      state[i] = draw.uniform(i) < probability(features.curvature[j], features.inverse_density[j])
+                     ? DRAWN
+                     : DISTINCT;
+  });
 
   std::vector<std::size_t> selected, others;
   for (std::size_t i = 0; i < state.size(); ++i)

@@ -1,0 +1,204 @@
+#ifndef CURVATURE_AWARE_SIMPLIFICATION_3_COMPARISON_ANALYTIC_SURFACES_H
+#define CURVATURE_AWARE_SIMPLIFICATION_3_COMPARISON_ANALYTIC_SURFACES_H
+
+#include <comparison/types.h>
+
+#include <surfaces.h>
+
+#include <CGAL/Random.h>
+#include <CGAL/number_type_config.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <functional>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace comparison {
+
+// A surface of which everything is known: a random point uniform per area, the exact distance, and
+// a parametrization of its border over [0, 1), if it has one
+struct Analytic_surface
+{
+  std::function<Point(CGAL::Random&)> random_point;
+  std::function<double(const Point&)> distance;
+  std::function<Point(double)> border;
+};
+
+// Calls `propose` until a uniform number falls below the value of `density`, at most `bound`.
+template <typename Propose, typename Density>
+auto rejection_sampling(CGAL::Random& random, double bound, const Propose& propose,
+                        const Density& density)
+{
+  while (true)
+  {
+    const auto candidate = propose();
+    if (random.uniform_real(0., bound) < density(candidate))
+      return candidate;
+  }
+}
+
+inline Analytic_surface sphere()
+{
+  return {[](CGAL::Random& random) { return CGAL::ORIGIN + surfaces::random_direction(random); },
+          [](const Point& p)
+          { return std::abs(std::sqrt((p - CGAL::ORIGIN).squared_length()) - 1.); },
+          nullptr};
+}
+
+// radii 3 and 1
+inline Analytic_surface torus()
+{
+  return {[](CGAL::Random& random) { return surfaces::random_point_on_torus(random, 3., 1.); },
+          [](const Point& p) { return surfaces::distance_to_torus(p, 3., 1.); }, nullptr};
+}
+
+// The distance to an ellipse with half axes a and b from a point of the first quadrant, by Newton's
+// method in the angle of the nearest point, from the best of a few angles
+inline double distance_to_ellipse(double x, double y, double a, double b)
+{
+  const auto squared_distance = [=](double t)
+  { return std::pow(a * std::cos(t) - x, 2) + std::pow(b * std::sin(t) - y, 2); };
+  double best = 0.;
+  for (int i = 0; i <= 32; ++i)
+    if (squared_distance(i * CGAL_PI / 64.) < squared_distance(best))
+      best = i * CGAL_PI / 64.;
+  for (int i = 0; i < 20; ++i)
+  {
+    const double c = std::cos(best), s = std::sin(best);
+    const double first = (b * b - a * a) * s * c + a * x * s - b * y * c;
+    const double second = (b * b - a * a) * (c * c - s * s) + a * x * c + b * y * s;
+    if (second > 0.)
+      best = std::min(std::max(best - first / second, 0.), CGAL_PI / 2.);
+  }
+  return std::sqrt(squared_distance(best));
+}
+
+// half axes 1, 1, 3
+inline Analytic_surface ellipsoid()
+{
+  return {[](CGAL::Random& random) { return surfaces::random_point_on_ellipsoid(random, 3.); },
+          [](const Point& p)
+          { return distance_to_ellipse(std::hypot(p.x(), p.y()), std::abs(p.z()), 1., 3.); },
+          nullptr};
+}
+
+// A prism over the square [-1, 1]^2, |z| <= 0.5: sharp edges around top and bottom, and the four
+// vertical ones rounded with radius 0.4
+inline Analytic_surface rounded_box()
+{
+  const double half = 1., radius = 0.4, height = 0.5, straight = half - radius;
+  // signed distance to the outline of the base: a square grown by a disk
+  const auto outline_distance = [=](double x, double y)
+  {
+    const double u = std::abs(x) - straight, v = std::abs(y) - straight;
+    return std::hypot(std::max(u, 0.), std::max(v, 0.)) + std::min(std::max(u, v), 0.) - radius;
+  };
+  const auto distance = [=](const Point& p)
+  {
+    const double d = outline_distance(p.x(), p.y()), e = std::abs(p.z()) - height;
+    return std::abs(std::hypot(std::max(d, 0.), std::max(e, 0.)) + std::min(std::max(d, e), 0.));
+  };
+  const double arcs = 2. * CGAL_PI * radius, perimeter = 8. * straight + arcs;
+  const double cap = 4. * half * half - (4. - CGAL_PI) * radius * radius;
+  const auto random_point = [=](CGAL::Random& random)
+  {
+    const double sign = random.uniform_real(0., 1.) < 0.5 ? -1. : 1.;
+    if (random.uniform_real(0., 2. * cap + 2. * height * perimeter) < 2. * cap)
+    {
+      double x, y;
+      do
+      {
+        x = random.uniform_real(-half, half);
+        y = random.uniform_real(-half, half);
+      } while (outline_distance(x, y) > 0.);
+      return Point(x, y, sign * height);
+    }
+    const double z = random.uniform_real(-height, height);
+    if (random.uniform_real(0., perimeter) < arcs)
+    {
+      const double angle = random.uniform_real(0., 2. * CGAL_PI);
+      const double x = radius * std::cos(angle), y = radius * std::sin(angle);
+      return Point(x + std::copysign(straight, x), y + std::copysign(straight, y), z);
+    }
+    const double t = random.uniform_real(-straight, straight);
+    return random.uniform_real(0., 1.) < 0.5 ? Point(t, sign * half, z) : Point(sign * half, t, z);
+  };
+  return {random_point, distance, nullptr};
+}
+
+// z = 0.1 sin(2 pi x) cos(2 pi y) over the unit square, with its border
+inline Analytic_surface wavy_patch()
+{
+  const double a = 0.1, w = 2. * CGAL_PI;
+  const auto height = [=](double x, double y) { return a * std::sin(w * x) * std::cos(w * y); };
+  const auto dx = [=](double x, double y) { return a * w * std::cos(w * x) * std::cos(w * y); };
+  const auto dy = [=](double x, double y) { return -a * w * std::sin(w * x) * std::sin(w * y); };
+  const auto random_point = [=](CGAL::Random& random)
+  {
+    const auto [x, y] = rejection_sampling(
+        random, std::hypot(1., a * w),
+        [&]
+        {
+      const double u = random.uniform_real(0., 1.);
+      return std::make_pair(u, random.uniform_real(0., 1.));
+        },
+        [=](const auto& uv)
+        { return std::hypot(1., dx(uv.first, uv.second), dy(uv.first, uv.second)); });
+    return Point(x, y, height(x, y));
+  };
+  // Gauss-Newton in (x, y), kept inside the square
+  const auto distance = [=](const Point& p)
+  {
+    double x = std::clamp(p.x(), 0., 1.), y = std::clamp(p.y(), 0., 1.);
+    for (int i = 0; i < 30; ++i)
+    {
+      const double zx = dx(x, y), zy = dy(x, y), e = height(x, y) - p.z();
+      const double gx = x - p.x() + e * zx, gy = y - p.y() + e * zy;
+      const double xx = 1. + zx * zx, xy = zx * zy, yy = 1. + zy * zy;
+      const double determinant = xx * yy - xy * xy;
+      x = std::clamp(x - (yy * gx - xy * gy) / determinant, 0., 1.);
+      y = std::clamp(y - (xx * gy - xy * gx) / determinant, 0., 1.);
+    }
+    return std::sqrt(CGAL::squared_distance(p, Point(x, y, height(x, y))));
+  };
+  const auto border = [=](double t)
+  {
+    const double s = 4. * t - std::floor(4. * t);
+    const double x = t < 0.25 ? s : t < 0.5 ? 1. : t < 0.75 ? 1. - s : 0.;
+    const double y = t < 0.25 ? 0. : t < 0.5 ? s : t < 0.75 ? 1. : 1. - s;
+    return Point(x, y, height(x, y));
+  };
+  return {random_point, distance, border};
+}
+
+inline std::vector<std::string> analytic_surface_names()
+{
+  return {"sphere", "torus", "ellipsoid", "rounded_box", "wavy_patch"};
+}
+
+inline Analytic_surface analytic_surface(const std::string& name)
+{
+  if (name == "sphere")
+    return sphere();
+  if (name == "torus")
+    return torus();
+  if (name == "ellipsoid")
+    return ellipsoid();
+  if (name == "rounded_box")
+    return rounded_box();
+  if (name == "wavy_patch")
+    return wavy_patch();
+  throw std::invalid_argument("there is no analytic surface " + name);
+}
+
+inline Points sample(const Analytic_surface& surface, std::size_t n, unsigned int seed)
+{
+  return surfaces::sample(n, seed, surface.random_point);
+}
+
+} // namespace comparison
+
+#endif // CURVATURE_AWARE_SIMPLIFICATION_3_COMPARISON_ANALYTIC_SURFACES_H

@@ -1,0 +1,117 @@
+#ifndef CURVATURE_AWARE_SIMPLIFICATION_3_COMPARISON_DEGRADATIONS_H
+#define CURVATURE_AWARE_SIMPLIFICATION_3_COMPARISON_DEGRADATIONS_H
+
+#include <comparison/types.h>
+
+#include <CGAL/Random.h>
+#include <CGAL/number_type_config.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+// What scanning does to points. Lengths are fractions of the diagonal of the bounding box.
+namespace comparison {
+
+// normally distributed with mean 0 and variance 1 (Box and Muller)
+inline double normal_deviate(CGAL::Random& random)
+{
+  const double u = 1. - random.uniform_real(0., 1.);
+  return std::sqrt(-2. * std::log(u)) * std::cos(random.uniform_real(0., 2. * CGAL_PI));
+}
+
+// Gaussian noise of standard deviation `sigma` in each coordinate
+inline Points with_noise(Points points, double sigma, CGAL::Random& random)
+{
+  const double length = sigma * diagonal(points);
+  for (Point& p : points)
+  {
+    const double x = normal_deviate(random), y = normal_deviate(random);
+    p = p + length * Vector(x, y, normal_deviate(random));
+  }
+  return points;
+}
+
+// A noise of 0.05 %, and `share` times the number of points more, uniform in the bounding box grown
+// by 5 % of its extent on every side
+inline Points with_outliers(const Points& points, double share, CGAL::Random& random)
+{
+  const CGAL::Bbox_3 box = CGAL::bbox_3(points.begin(), points.end());
+  Points result = with_noise(points, 0.0005, random);
+  const double count = share * static_cast<double>(points.size());
+  for (double i = 0.; i < count; i += 1.)
+  {
+    double c[3];
+    for (int j = 0; j < 3; ++j)
+    {
+      const double margin = 0.05 * (box.max(j) - box.min(j));
+      c[j] = random.uniform_real(box.min(j) - margin, box.max(j) + margin);
+    }
+    result.emplace_back(c[0], c[1], c[2]);
+  }
+  return result;
+}
+
+// Points are kept with a probability that falls exponentially along x, from 1 to 1 / `factor`.
+inline Points with_falling_density(const Points& points, double factor, CGAL::Random& random)
+{
+  const CGAL::Bbox_3 box = CGAL::bbox_3(points.begin(), points.end());
+  Points result;
+  for (const Point& p : points)
+    if (random.uniform_real(0., 1.) < std::pow(factor, -(p.x() - box.xmin()) / box.x_span()))
+      result.push_back(p);
+  return result;
+}
+
+// Without the points within `radius` of one of them
+inline Points with_hole(const Points& points, double radius, CGAL::Random& random)
+{
+  const Point center =
+      points[static_cast<std::size_t>(random.get_int(0, static_cast<int>(points.size())))];
+  const double length = radius * diagonal(points);
+  Points result;
+  for (const Point& p : points)
+    if (CGAL::squared_distance(p, center) > length * length)
+      result.push_back(p);
+  return result;
+}
+
+// `share` times the number of points more, exact copies of random ones
+inline Points with_duplicates(const Points& points, double share, CGAL::Random& random)
+{
+  Points result = points;
+  const double count = share * static_cast<double>(points.size());
+  for (double i = 0.; i < count; i += 1.)
+    result.push_back(
+        points[static_cast<std::size_t>(random.get_int(0, static_cast<int>(points.size())))]);
+  return result;
+}
+
+// By name: clean, noise:PERCENT, outliers:PERCENT, density:FACTOR, hole:PERCENT, duplicates:PERCENT
+inline Points degraded(const Points& points, const std::string& degradation, unsigned int seed)
+{
+  const std::size_t colon = degradation.find(':');
+  const std::string name = degradation.substr(0, colon);
+  const double value = colon == std::string::npos ? 0. : std::stod(degradation.substr(colon + 1));
+  CGAL::Random random(seed);
+  if (name == "clean")
+    return points;
+  if (name == "noise")
+    return with_noise(points, value / 100., random);
+  if (name == "outliers")
+    return with_outliers(points, value / 100., random);
+  if (name == "density")
+    return with_falling_density(points, value, random);
+  if (name == "hole")
+    return with_hole(points, value / 100., random);
+  if (name == "duplicates")
+    return with_duplicates(points, value / 100., random);
+  throw std::invalid_argument("there is no degradation " + degradation);
+}
+
+} // namespace comparison
+
+#endif // CURVATURE_AWARE_SIMPLIFICATION_3_COMPARISON_DEGRADATIONS_H

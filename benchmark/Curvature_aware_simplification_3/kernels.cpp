@@ -1,0 +1,154 @@
+// Time of each stage for M points of a torus, M / 10 samples, on one and on two threads
+
+#include <comparison/analytic_surfaces.h>
+#include <comparison/types.h>
+
+#include <CGAL/Curvature_aware_simplification_3/internal/Cloud.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/Distinct_samples.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/features.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/parameters.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/relax_repeatedly.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/sample_spacing.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/select_points.h>
+#include <CGAL/pca_estimate_normals.h>
+
+#include <benchmark/benchmark.h>
+
+#ifdef CGAL_LINKED_WITH_TBB
+#include <tbb/global_control.h>
+#endif
+
+#include <cstddef>
+#include <functional>
+#include <limits>
+#include <map>
+#include <memory>
+#include <utility>
+#include <vector>
+
+namespace {
+
+using namespace CGAL::Curvature_aware_simplification_3::internal;
+using comparison::Tag;
+using Diagonalize_traits = CGAL::Default_diagonalize_traits<double, 3>;
+
+const std::function<bool(double)> no_callback;
+const double relative_error = std::numeric_limits<double>::epsilon();
+
+// All that the stages need, computed once for each M
+struct Stages
+{
+  explicit Stages(std::size_t size)
+    : points(comparison::sample(comparison::torus(), size, 0)),
+      cloud(make_cloud<Tag>(points, relative_error)),
+      search(cloud.points, Tag()),
+      features(compute_features<Tag, Diagonalize_traits>(cloud, search, 16, Progress(no_callback))),
+      parameters(read_parameters(
+          CGAL::parameters::number_of_output_points(size / 10).number_of_iterations(1), size)),
+      samples(distinct_samples(cloud, select_points<Tag>(cloud, features, parameters)).points),
+      radius(radius_in_spacings * sample_spacing<Tag>(samples))
+  {}
+
+  std::vector<Point> points;
+  Cloud cloud;
+  Neighbor_search search;
+  Features features;
+  Parameters parameters;
+  std::vector<Point> samples;
+  double radius;
+};
+
+Stages& stages(const benchmark::State& state)
+{
+  static std::map<std::int64_t, std::unique_ptr<Stages>> all;
+  std::unique_ptr<Stages>& s = all[state.range(0)];
+  if (!s)
+    s = std::make_unique<Stages>(static_cast<std::size_t>(state.range(0)));
+  return *s;
+}
+
+template <typename Function>
+void measure(benchmark::State& state, const Function& function)
+{
+  Stages& s = stages(state);
+#ifdef CGAL_LINKED_WITH_TBB
+  const tbb::global_control control(tbb::global_control::max_allowed_parallelism,
+                                    static_cast<std::size_t>(state.range(1)));
+#endif
+  for (auto _ : state)
+    function(s);
+  state.SetItemsProcessed(state.iterations() * state.range(0));
+}
+
+void sorting(benchmark::State& state)
+{
+  measure(state,
+          [](Stages& s) { benchmark::DoNotOptimize(make_cloud<Tag>(s.points, relative_error)); });
+}
+
+void tree_building(benchmark::State& state)
+{
+  measure(state, [](Stages& s) { Neighbor_search search(s.cloud.points, Tag()); });
+}
+
+void features(benchmark::State& state)
+{
+  measure(state,
+          [](Stages& s)
+          {
+    benchmark::DoNotOptimize(
+        compute_features<Tag, Diagonalize_traits>(s.cloud, s.search, 16, Progress(no_callback)));
+  });
+}
+
+void selection(benchmark::State& state)
+{
+  measure(state, [](Stages& s)
+          { benchmark::DoNotOptimize(select_points<Tag>(s.cloud, s.features, s.parameters)); });
+}
+
+void one_relaxation_step(benchmark::State& state)
+{
+  measure(state,
+          [](Stages& s)
+          {
+    benchmark::DoNotOptimize(relax_repeatedly<Tag, Diagonalize_traits>(
+        s.samples, s.cloud, s.search, s.features, s.radius, s.parameters, Progress(no_callback)));
+  });
+}
+
+// the unit in which the costs are compared
+void cgal_pca_estimate_normals(benchmark::State& state)
+{
+  using Element = std::pair<Point, Vector>;
+  measure(state,
+          [](Stages& s)
+          {
+    std::vector<Element> elements;
+    for (const Point& p : s.points)
+      elements.emplace_back(p, Vector());
+    CGAL::pca_estimate_normals<Tag>(
+        elements, 16,
+        CGAL::parameters::point_map(CGAL::First_of_pair_property_map<Element>())
+            .normal_map(CGAL::Second_of_pair_property_map<Element>()));
+  });
+}
+
+void sizes_and_threads(benchmark::internal::Benchmark* b)
+{
+  b->ArgNames({"M", "threads"})->UseRealTime()->Unit(benchmark::kMillisecond);
+  for (std::int64_t size : {10000, 100000, 1000000})
+    for (std::int64_t threads : {1, 2})
+      b->Args({size, threads});
+}
+
+BENCHMARK(sorting)->Apply(sizes_and_threads);
+BENCHMARK(tree_building)->Apply(sizes_and_threads);
+BENCHMARK(features)->Apply(sizes_and_threads);
+BENCHMARK(selection)->Apply(sizes_and_threads);
+BENCHMARK(one_relaxation_step)->Apply(sizes_and_threads);
+BENCHMARK(cgal_pca_estimate_normals)->Apply(sizes_and_threads);
+
+} // namespace
+
+BENCHMARK_MAIN();

@@ -1,0 +1,53 @@
+// Copyright (c) 2026 The authors of Curvature_aware_simplification_3.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_ADAPTIVE_SETTINGS_H
+#define CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_ADAPTIVE_SETTINGS_H
+
+namespace CGAL {
+namespace Curvature_aware_simplification_3 {
+namespace internal {
+
+// What the adaptive method does beyond the paper, each idea with a switch or a constant, so that the
+// benchmark can tell what it is worth. Users never see them: nothing here depends on the input.
+struct Adaptive_settings
+{
+  // Outliers get no weight, noise is measured; without, there is taken to be none.
+  bool find_outliers = true;
+  bool measure_noise = true;
+
+  // Radius of the balls in which curvature is measured for the density, in output spacings. Balls of
+  // that size also see the other side of a part that is thinner, and make it dense.
+  double curvature_radius = 1.5;
+  // Curvature is bounded from below by half of its mean: flat parts keep 0.5^(2/3) = 0.63 of the
+  // mean density, hence 1.26 times the spacing. Thin flat parts need a spacing below their
+  // thickness, and reconstruction wants spacings that vary slowly: with 0.2, a plate of 1.5 % of
+  // the diagonal was lost.
+  double least_curvature = 0.5;
+  // The spacings that samples want are means over them and their 8 nearest.
+  bool smooth_spacings = true;
+
+  // theta(rho) = exp(-sharpness rho^2) for rho in spacings: that of the paper for h = 3.3 spacings.
+  // The narrow one of h = 2 spacings, sharpness 4, knows only the nearest neighbor, and is slow to
+  // even out.
+  double sharpness_of_repulsion = 1.5;
+  // Heights over the tangent plane count so much more in rho^2, so that the two sides of a thin part
+  // hardly see each other.
+  double weight_of_height = 4.;
+  // Samples are not pushed across a border.
+  bool keep_borders = true;
+
+  // How often the ball of a fit is moved to the foot point, with noise. Three moves bring a point
+  // from 4 sigma to within the tolerance of sigma / 2.
+  int moves_to_foot_point = 3;
+  // With noise, each sample moves towards wider fits, as far as noise explains the difference.
+  bool denoise = true;
+};
+
+} // namespace internal
+} // namespace Curvature_aware_simplification_3
+} // namespace CGAL
+
+#endif // CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_ADAPTIVE_SETTINGS_H

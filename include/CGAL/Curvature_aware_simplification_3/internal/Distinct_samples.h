@@ -1,0 +1,56 @@
+// Copyright (c) 2026 The authors of Curvature_aware_simplification_3.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_DISTINCT_SAMPLES_H
+#define CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_DISTINCT_SAMPLES_H
+
+#include <CGAL/Curvature_aware_simplification_3/internal/Cloud.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Curvature_aware_simplification_3 {
+namespace internal {
+
+// The distinct positions of the selected points, along the Hilbert curve of the cloud, so that samples
+// that are neighbors in space are neighbors in memory
+struct Distinct_samples
+{
+  std::vector<Point> points;
+  std::vector<std::size_t> copies; // how many of the selected points are at each position
+};
+
+// Duplicates are selected only where there are too few distinct points. Nothing would tell their
+// samples apart in eq. 8, so one is relaxed for all of them.
+inline Distinct_samples distinct_samples(const Cloud& cloud,
+                                         const std::vector<std::size_t>& selected)
+{
+  std::vector<std::size_t> order;
+  order.reserve(selected.size());
+  for (std::size_t i : selected)
+    order.push_back(cloud.distinct_index[i]);
+  std::sort(order.begin(), order.end());
+
+  Distinct_samples samples;
+  for (std::size_t i = 0; i < order.size(); ++i)
+  {
+    if (i > 0 && order[i] == order[i - 1])
+      ++samples.copies.back();
+    else
+    {
+      samples.points.push_back(cloud.points[order[i]]);
+      samples.copies.push_back(1);
+    }
+  }
+  return samples;
+}
+
+} // namespace internal
+} // namespace Curvature_aware_simplification_3
+} // namespace CGAL
+
+#endif // CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_DISTINCT_SAMPLES_H

@@ -1,0 +1,56 @@
+// Copyright (c) 2026 The authors of Curvature_aware_simplification_3.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_SIMPLIFY_AS_IN_THE_PAPER_H
+#define CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_SIMPLIFY_AS_IN_THE_PAPER_H
+
+#include <CGAL/Curvature_aware_simplification_3/internal/Cloud.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/Distinct_samples.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/Stopwatch.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/features.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/parameters.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/relax_repeatedly.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/sample_spacing.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/select_points.h>
+
+#include <CGAL/Curvature_aware_simplification_report.h>
+
+#include <limits>
+
+namespace CGAL {
+namespace Curvature_aware_simplification_3 {
+namespace internal {
+
+// The selection of sec. 4.1 and the relaxation of eq. 8, literally: the samples in the frame
+template <typename ConcurrencyTag, typename DiagonalizeTraits>
+Distinct_samples simplify_as_in_the_paper(const Cloud& cloud, const Neighbor_search& search,
+                                          const Features& features, const Parameters& parameters,
+                                          const Progress& progress,
+                                          Curvature_aware_simplification_report& report)
+{
+  Stopwatch stopwatch;
+  Distinct_samples samples =
+      distinct_samples(cloud, select_points<ConcurrencyTag>(cloud, features, parameters));
+  report.selection_time = stopwatch.lap();
+
+  const double spacing = sample_spacing<ConcurrencyTag>(samples.points);
+  const double h = parameters.neighbor_radius > 0.
+                       ? cloud.frame.length_to_frame(parameters.neighbor_radius)
+                       : radius_in_spacings * spacing;
+  // A ball smaller than the rounding error of the coordinates holds nothing but its center.
+  if (h > std::numeric_limits<double>::epsilon())
+    samples.points = relax_repeatedly<ConcurrencyTag, DiagonalizeTraits>(
+        samples.points, cloud, search, features, h, parameters, progress);
+  report.relaxation_time = stopwatch.lap();
+  report.output_spacing = cloud.frame.length_from_frame(spacing);
+  report.neighbor_radius = cloud.frame.length_from_frame(h);
+  return samples;
+}
+
+} // namespace internal
+} // namespace Curvature_aware_simplification_3
+} // namespace CGAL
+
+#endif // CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_SIMPLIFY_AS_IN_THE_PAPER_H

@@ -1,0 +1,26 @@
+#!/usr/bin/env bash
+# Compares this package with all peers, and writes the page with the results.
+#
+#   scripts/benchmark.sh [quick|igea|full]
+#
+# quick: three inputs, no search for settings, no external programs; under 5 minutes on two cores.
+# igea: the model of the paper's Table 1 in five conditions, if it is in ../shared/data. full: all.
+set -euo pipefail
+mode=${1:-quick}
+
+. "$(dirname "$0")/setup.sh"
+install_missing libbenchmark-dev nlohmann-json3-dev python3-matplotlib python3-pil "${render_packages[@]}"
+if [ "$mode" != quick ]; then
+  # external programs: what cannot be installed is reported as missing in its row
+  while read -r package; do
+    install_missing "$package" || echo "$package cannot be installed"
+  done < <(sed 's/#.*//' scripts/external_packages.txt | grep -v '^ *$')
+fi
+
+cmake --preset release -DBUILD_TESTING=OFF -B build/benchmark >/dev/null
+cmake --build build/benchmark --target simplify_and_measure kernels compare_with_wlop
+output=benchmark/Curvature_aware_simplification_3/results
+if [ "$mode" = quick ]; then output=build/benchmark/results; fi
+/usr/bin/python3 benchmark/Curvature_aware_simplification_3/benchmark.py "$mode" \
+  --build build/benchmark/benchmark/Curvature_aware_simplification_3 \
+  --meshes "$CGAL_DATA_DIR/meshes" --output "$output"

@@ -1,0 +1,646 @@
+// The stages of the adaptive method one by one, and what the manual promises of it
+
+#include "surfaces.h"
+
+#include <CGAL/Curvature_aware_simplification_3/internal/Cloud.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/Surface_border.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/denoise_samples.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/features.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/find_outliers.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/fit_local_surface.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/noise_level.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/relax_on_surface.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/sampling_density.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/select_along_curve.h>
+#include <CGAL/curvature_aware_simplify_point_set.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <iterator>
+#include <limits>
+#include <random>
+#include <utility>
+#include <vector>
+
+namespace {
+
+using namespace CGAL::Curvature_aware_simplification_3::internal;
+using Tag = CGAL::Parallel_if_available_tag;
+namespace np = CGAL::parameters;
+
+const std::function<bool(double)> no_callback;
+
+std::vector<Point> with_noise(std::vector<Point> points, double sigma, unsigned int seed)
+{
+  CGAL::Random random(seed);
+  for (Point& p : points)
+  {
+    const double x = surfaces::normal_deviate(random), y = surfaces::normal_deviate(random);
+    p = p + sigma * Vector(x, y, surfaces::normal_deviate(random));
+  }
+  return points;
+}
+
+// uniform in the box [-w, w]^3, put behind the points
+void add_outliers(std::vector<Point>& points, std::size_t n, double w, unsigned int seed)
+{
+  CGAL::Random random(seed);
+  for (std::size_t i = 0; i < n; ++i)
+  {
+    const double x = random.uniform_real(-w, w), y = random.uniform_real(-w, w);
+    points.emplace_back(x, y, random.uniform_real(-w, w));
+  }
+}
+
+double distance_to_sphere(const Point& p)
+{
+  return std::abs(std::sqrt((p - CGAL::ORIGIN).squared_length()) - 1.);
+}
+
+template <typename Distance>
+double mean_distance(const std::vector<Point>& points, const Distance& distance)
+{
+  double sum = 0.;
+  for (const Point& p : points)
+    sum += distance(p);
+  return sum / static_cast<double>(points.size());
+}
+
+template <typename NamedParameters = np::Default_named_parameters>
+std::vector<Point> simplified(const std::vector<Point>& points,
+                              const NamedParameters& parameters = np::default_values())
+{
+  std::vector<Point> output;
+  CGAL::curvature_aware_simplify_point_set<Tag>(points, std::back_inserter(output), parameters);
+  return output;
+}
+
+TEST(Local_surface, moves_to_its_foot_point)
+{
+  // the paraboloid z = 1 + a^2 + b^2 / 2 seen from the origin, whose nearest point is the vertex
+  Local_surface surface;
+  surface.c[0] = 1.;
+  surface.c[3] = 1.;
+  surface.c[5] = 0.5;
+  surface.move_to_foot_point();
+  EXPECT_EQ(surface.origin, Point(0., 0., 1.));
+  EXPECT_NEAR(surface.n.z(), 1., 1e-15);
+  // the frame may be turned, the surface is the same
+  const double x = 0.3, y = -0.2;
+  const Vector d = Point(x, y, 1. + x * x + y * y / 2.) - surface.origin;
+  EXPECT_NEAR(surface.residual(d), 0., 1e-15);
+
+  // the plane z = 1 + x / 2: its point nearest to the origin is (-0.4, 0, 0.8)
+  Local_surface plane;
+  plane.c[0] = 1.;
+  plane.c[1] = 0.5;
+  plane.move_to_foot_point();
+  EXPECT_NEAR(plane.origin.x(), -0.4, 1e-15);
+  EXPECT_NEAR(plane.origin.y(), 0., 1e-15);
+  EXPECT_NEAR(plane.origin.z(), 0.8, 1e-15);
+  EXPECT_NEAR(plane.n.x() / plane.n.z(), -0.5, 1e-15);
+}
+
+// a random patch of z = f(x, y) around the origin
+template <typename Height>
+std::vector<Point> patch(std::size_t n, unsigned int seed, const Height& height)
+{
+  std::vector<Point> points = surfaces::square(n, seed);
+  for (Point& p : points)
+    p = Point(p.x() - 0.5, p.y() - 0.5, height(p.x() - 0.5, p.y() - 0.5));
+  return points;
+}
+
+TEST(Fit, of_a_quadric_is_exact)
+{
+  const auto f = [](double x, double y)
+  { return 0.1 + 0.2 * x - 0.1 * y + 0.5 * x * x - 0.3 * x * y + 0.7 * y * y; };
+  const std::vector<Point> points = patch(200, 1, f);
+  const Neighbor_search search(points, Tag());
+  Neighborhood neighborhood;
+  neighborhood.collect(search, Point(0., 0., 0.), 60);
+  neighborhood.weight_by_distance();
+  Local_surface surface; // over the plane z = 0
+  surface.n = Vector(0., 0., 1.);
+  surface.u = Vector(1., 0., 0.);
+  surface.v = Vector(0., 1., 0.);
+  ASSERT_TRUE(fit_quadric(neighborhood, 0., surface));
+  const double expected[6] = {0.1, 0.2, -0.1, 0.5, -0.3, 0.7};
+  for (int i = 0; i < 6; ++i)
+    EXPECT_NEAR(surface.c[i], expected[i], 1e-3) << i; // the penalty is 1e-5 relative
+}
+
+TEST(Fit, knows_its_error)
+{
+  // the standard deviation of c0 over 2000 draws of the noise
+  const double sigma = 0.01;
+  double squares = 0., predicted = 0.;
+  const unsigned int draws = 2000;
+  CGAL::Random random(2);
+  for (unsigned int draw = 0; draw < draws; ++draw)
+  {
+    std::vector<Point> points =
+        patch(40, 7, [&](double, double) { return sigma * surfaces::normal_deviate(random); });
+    const Neighbor_search search(points, CGAL::Sequential_tag());
+    Neighborhood neighborhood;
+    neighborhood.collect(search, Point(0., 0., 0.), 40);
+    Local_surface surface;
+    ASSERT_TRUE(fit_quadric(neighborhood, sigma, surface));
+    squares += surface.c[0] * surface.c[0] / draws;
+    predicted = surface.error;
+  }
+  EXPECT_NEAR(std::sqrt(squares) / predicted, 1., 0.08); // 5 / sqrt(2 draws)
+}
+
+TEST(Fit, of_a_local_surface_ignores_an_outlier)
+{
+  std::vector<Point> points = patch(400, 3, [](double x, double y) { return x * x - y * y; });
+  points.emplace_back(0.01, 0., 0.08);
+  const Neighbor_search search(points, Tag());
+  const Surface_fit fit{search, points.size(), 0.};
+  Neighborhood neighborhood;
+  const Local_surface surface =
+      fit_local_surface(fit, Point(0., 0., 0.02), CGAL::NULL_VECTOR, 0, neighborhood);
+  EXPECT_LT(std::abs(surface.origin.z()), 1e-3);
+  EXPECT_GT(std::abs(surface.n.z()), 0.999);
+}
+
+TEST(Fit, of_a_local_surface_separates_two_sheets)
+{
+  // 0.035 apart, while 18 neighbors of one sheet have a radius of 0.038
+  const double gap = 0.035;
+  std::vector<Point> points = patch(4000, 4, [](double, double) { return 0.; });
+  const std::vector<Point> other = patch(4000, 5, [=](double, double) { return gap; });
+  points.insert(points.end(), other.begin(), other.end());
+  const Neighbor_search search(points, Tag());
+  const Surface_fit fit{search, points.size(), 0.};
+  Neighborhood neighborhood;
+  for (std::size_t i = 0; i < points.size(); i += 97)
+  {
+    const Local_surface surface =
+        fit_local_surface(fit, points[i], CGAL::NULL_VECTOR, 0, neighborhood);
+    EXPECT_NEAR(surface.origin.z(), i < 4000 ? 0. : gap, 1e-3) << i;
+  }
+}
+
+TEST(Border, of_a_half_plane_and_of_none)
+{
+  const std::vector<Point> points = surfaces::square(20000, 6);
+  const Neighbor_search search(points, Tag());
+  const Surface_fit fit{search, points.size(), 0.};
+  Neighborhood neighborhood;
+  int found_at_border = 0, found_inside = 0;
+  for (int i = 1; i < 100; ++i)
+  {
+    const double t = 0.01 * i;
+    const Local_surface at_border =
+        fit_local_surface(fit, Point(0.001, t, 0.), CGAL::NULL_VECTOR, 0, neighborhood);
+    const Surface_border border = find_border(neighborhood, at_border);
+    found_at_border += border.exists ? 1 : 0;
+    if (border.exists)
+    {
+      // outwards, and not farther than the last neighbor and the mean distance of neighbors from
+      // there
+      EXPECT_LT((border.x * at_border.u + border.y * at_border.v).x(), 0.) << t;
+      EXPECT_LT(border.limit, 0.02) << t;          // of a neighborhood with a radius of 0.017
+      double a = 1. * border.x, b = 1. * border.y; // far out
+      border.restrict(a, b);
+      EXPECT_NEAR(a * border.x + b * border.y, border.limit, 1e-12);
+      double c = -0.01 * border.x, d = -0.01 * border.y; // inside
+      border.restrict(c, d);
+      EXPECT_EQ(c, -0.01 * border.x);
+    }
+
+    const Local_surface inside =
+        fit_local_surface(fit, Point(0.5, 0.1 + 0.8 * t, 0.), CGAL::NULL_VECTOR, 0, neighborhood);
+    found_inside += find_border(neighborhood, inside).exists ? 1 : 0;
+  }
+  EXPECT_GT(found_at_border, 80);
+  EXPECT_LT(found_inside, 35); // which do no harm
+}
+
+double noise_of(const std::vector<Point>& points)
+{
+  const Cloud cloud = make_cloud<Tag>(points, 1e-16);
+  return cloud.frame.length_from_frame(
+      noise_level<Tag>(cloud.points, Neighbor_search(cloud.points, Tag())));
+}
+
+TEST(Noise_level, is_found_on_smooth_surfaces)
+{
+  // up to about the spacing of the points, from where the noise hides some of itself
+  for (double sigma : {0.005, 0.02, 0.05})
+    EXPECT_NEAR(noise_of(with_noise(surfaces::torus(50000, 3., 1., 8), sigma, 9)) / sigma, 1., 0.15)
+        << sigma;
+  for (double sigma : {0.001, 0.003, 0.008})
+    EXPECT_NEAR(noise_of(with_noise(surfaces::square(20000, 8), sigma, 10)) / sigma, 1., 0.15)
+        << sigma;
+  // much wider than the spacing: at least its size
+  EXPECT_NEAR(noise_of(with_noise(surfaces::square(20000, 8), 0.05, 10)) / 0.05, 1., 0.5);
+}
+
+TEST(Noise_level, is_small_without_noise)
+{
+  EXPECT_LT(noise_of(surfaces::square(20000, 11)), 1e-9);
+  // cubic terms of the shape over a neighborhood of radius 0.05
+  EXPECT_LT(noise_of(surfaces::torus(50000, 3., 1., 11)), 2e-4);
+}
+
+std::vector<std::uint8_t> outliers_of(const Cloud& cloud)
+{
+  const Neighbor_search search(cloud.points, Tag());
+  const Features features = compute_features<Tag, CGAL::Default_diagonalize_traits<double, 3>>(
+      cloud, search, 16, Progress(no_callback));
+  return find_outliers<Tag>(cloud, search, features, 16);
+}
+
+TEST(Outliers, are_found)
+{
+  for (double noise : {0., 0.005})
+  {
+    std::vector<Point> points = with_noise(surfaces::sphere(20000, 12), noise, 13);
+    add_outliers(points, 1500, 1.2, 14);
+    const Cloud cloud = make_cloud<Tag>(points, 1e-16);
+    const std::vector<std::uint8_t> is_outlier = outliers_of(cloud);
+    int found = 0, false_alarms = 0, there = 0;
+    for (std::size_t i = 0; i < cloud.size(); ++i)
+    {
+      const std::size_t input = cloud.input_index[i];
+      // nearer than the spacing, they are as good as any point
+      const bool is_true = input >= 20000 && distance_to_sphere(points[input]) > 0.05;
+      there += is_true ? 1 : 0;
+      found += is_true && is_outlier[i] ? 1 : 0;
+      false_alarms += input < 20000 && is_outlier[i] ? 1 : 0;
+    }
+    EXPECT_GT(found, 0.99 * there) << noise;
+    EXPECT_LT(false_alarms, 0.01 * 20000) << noise;
+  }
+}
+
+TEST(Outliers, are_not_found_in_borders_thin_parts_and_sparse_regions)
+{
+  const auto number_of_outliers = [](const std::vector<Point>& points)
+  {
+    const std::vector<std::uint8_t> is_outlier = outliers_of(make_cloud<Tag>(points, 1e-16));
+    return std::count(is_outlier.begin(), is_outlier.end(), 1);
+  };
+  EXPECT_LT(number_of_outliers(surfaces::square(20000, 15)), 20);
+  // a wire: a cylinder of radius 0.01
+  std::vector<Point> wire;
+  for (const Point& p : surfaces::square(20000, 16))
+    wire.emplace_back(0.01 * std::cos(2. * CGAL_PI * p.y()), 0.01 * std::sin(2. * CGAL_PI * p.y()),
+                      p.x());
+  EXPECT_LT(number_of_outliers(wire), 20);
+  // density falling 100 : 1 along x
+  std::vector<Point> uneven;
+  CGAL::Random random(17);
+  for (const Point& p : surfaces::torus(100000, 3., 1., 17))
+    if (random.uniform_real(0., 1.) < std::pow(100., -(p.x() + 4.) / 8.))
+      uneven.push_back(p);
+  EXPECT_LT(number_of_outliers(uneven), 0.005 * static_cast<double>(uneven.size()));
+}
+
+Sampling_density density_of(const Cloud& cloud, std::size_t n, double alpha, double noise)
+{
+  const Neighbor_search search(cloud.points, Tag());
+  const Features features = compute_features<Tag, CGAL::Default_diagonalize_traits<double, 3>>(
+      cloud, search, 16, Progress(no_callback));
+  std::vector<double> area;
+  for (double a : features.inverse_density)
+    area.push_back(CGAL_PI * a);
+  return sampling_density<Tag>(cloud.points, search, area, n, alpha,
+                               cloud.frame.length_to_frame(noise), Adaptive_settings(),
+                               Progress(no_callback));
+}
+
+TEST(Sampling_density, integrates_to_the_number_of_samples)
+{
+  const Cloud cloud = make_cloud<Tag>(surfaces::ellipsoid(20000, 3., 18), 1e-16);
+  for (double alpha : {0., 2. / 3., 1.})
+  {
+    const Sampling_density wanted = density_of(cloud, 2000, alpha, 0.);
+    double sum = 0.;
+    for (std::size_t i = 0; i < cloud.size(); ++i)
+      sum += wanted.density[i] * wanted.area[i];
+    EXPECT_NEAR(sum / 2000., 1., 0.1) << alpha; // the areas are measured at another scale
+  }
+}
+
+TEST(Sampling_density, follows_the_curvature)
+{
+  // a torus with radii 3 and 1 has the principal curvatures 1 and 1/4 on the outer side, 1 and -1/2
+  // on the inner side
+  const Cloud cloud = make_cloud<Tag>(surfaces::torus(100000, 3., 1., 19), 1e-16);
+  const auto ratio = [&](double alpha)
+  {
+    const Sampling_density wanted = density_of(cloud, 4000, alpha, 0.);
+    double inner = 0., outer = 0., inner_count = 0., outer_count = 0.;
+    for (std::size_t i = 0; i < cloud.size(); ++i)
+    {
+      const Point p = cloud.frame.from_frame(cloud.points[i]);
+      const double r = std::hypot(p.x(), p.y());
+      if (r < 2.1)
+      {
+        inner += wanted.density[i];
+        inner_count += 1.;
+      }
+      if (r > 3.9)
+      {
+        outer += wanted.density[i];
+        outer_count += 1.;
+      }
+    }
+    return inner / inner_count / (outer / outer_count);
+  };
+  EXPECT_NEAR(ratio(0.), 1., 0.02);
+  // the standard deviation of the heights (k1 x^2 + k2 y^2) / 2 over a disk, drawn
+  const auto deviation = [](double k1, double k2)
+  {
+    CGAL::Random random(20);
+    double sum = 0., squares = 0.;
+    const int n = 100000;
+    for (int i = 0; i < n; ++i)
+    {
+      const double r = std::sqrt(random.uniform_real(0., 1.));
+      const double t = random.uniform_real(0., 2. * CGAL_PI);
+      const double h = (k1 * std::pow(r * std::cos(t), 2) + k2 * std::pow(r * std::sin(t), 2)) / 2.;
+      sum += h;
+      squares += h * h;
+    }
+    return std::sqrt(squares / n - sum * sum / n / n);
+  };
+  const double inner = deviation(1., -0.5), outer = deviation(1., 0.25);
+  const double expected = std::pow(inner / outer, 2. / 3.);
+  // the lower bound, half of the mean, is added in squares and evens out a little
+  EXPECT_GT(ratio(2. / 3.), 1. + 0.5 * (expected - 1.));
+  EXPECT_LT(ratio(2. / 3.), 1.1 * expected);
+}
+
+TEST(Sampling_density, of_a_noisy_plane_is_even)
+{
+  const double sigma = 0.003;
+  const Cloud cloud = make_cloud<Tag>(with_noise(surfaces::square(40000, 21), sigma, 22), 1e-16);
+  const Sampling_density wanted = density_of(cloud, 2000, 2. / 3., sigma);
+  std::vector<double> sorted = wanted.density;
+  std::sort(sorted.begin(), sorted.end());
+  const double low = sorted[sorted.size() / 20], high = sorted[sorted.size() * 19 / 20];
+  EXPECT_LT(high / low, 2.5);
+}
+
+TEST(Select_along_curve, takes_one_of_each_piece)
+{
+  const std::vector<double> weight = {1., 1., 1., 1., 1., 1., 1., 1.};
+  for (std::uint64_t seed = 0; seed < 20; ++seed)
+  {
+    const std::vector<std::size_t> selected = select_along_curve(weight, 4, seed);
+    ASSERT_EQ(selected.size(), 4u);
+    for (std::size_t i = 0; i < 4; ++i)
+      EXPECT_EQ(selected[i] / 2, i);
+  }
+}
+
+TEST(Select_along_curve, has_probabilities_as_the_weights)
+{
+  const std::vector<double> weight = {0.1, 0.4, 0.2, 0.8, 0.3, 0.2};
+  std::vector<double> frequency(weight.size(), 0.);
+  const int seeds = 20000;
+  for (int seed = 0; seed < seeds; ++seed)
+  {
+    const std::vector<std::size_t> selected =
+        select_along_curve(weight, 2, static_cast<std::uint64_t>(seed));
+    ASSERT_EQ(selected.size(), 2u);
+    for (std::size_t i : selected)
+      frequency[i] += 1. / seeds;
+  }
+  for (std::size_t i = 0; i < weight.size(); ++i)
+    EXPECT_NEAR(frequency[i], weight[i], 5. * std::sqrt(0.25 / seeds)) << i;
+}
+
+TEST(Select_along_curve, is_exact_for_extreme_weights)
+{
+  EXPECT_EQ(select_along_curve({0., 0., 1e9, 0., 0.}, 3, 1).size(), 3u);
+  EXPECT_EQ(select_along_curve({1., 0., 0., 0., 0.}, 5, 1).size(), 5u);
+  EXPECT_EQ(select_along_curve({0., 0., 0., 1e-300}, 2, 1).size(), 2u);
+}
+
+TEST(Adaptive, lies_on_the_surface)
+{
+  CGAL::Curvature_aware_simplification_report report;
+  const auto parameters = np::number_of_output_points(2000).simplification_report(std::ref(report));
+  const std::vector<Point> output = simplified(surfaces::torus(40000, 3., 1., 23), parameters);
+  // the neighborhood of 18 points has a radius of about 0.2 and a quadric misses its third order
+  for (const Point& p : output)
+    EXPECT_LT(surfaces::distance_to_torus(p, 3., 1.), 2e-3);
+  EXPECT_LT(
+      mean_distance(output, [](const Point& p) { return surfaces::distance_to_torus(p, 3., 1.); }),
+      1e-4);
+  EXPECT_EQ(report.number_of_outliers, 0u);
+  EXPECT_LT(report.noise_level, 1e-3);
+}
+
+TEST(Adaptive, removes_noise)
+{
+  const double sigma = 0.02;
+  CGAL::Curvature_aware_simplification_report report;
+  const std::vector<Point> output =
+      simplified(with_noise(surfaces::sphere(40000, 24), sigma, 25),
+                 np::number_of_output_points(2000).simplification_report(std::ref(report)));
+  // noise wider than the spacing of the points hides some of itself
+  EXPECT_NEAR(report.noise_level / sigma, 1., 0.25);
+  // the mean of |x| is 0.8 sigma in the input
+  EXPECT_LT(mean_distance(output, distance_to_sphere), 0.15 * sigma);
+}
+
+TEST(Adaptive, ignores_outliers)
+{
+  std::vector<Point> points = with_noise(surfaces::sphere(20000, 26), 0.001, 27);
+  add_outliers(points, 2000, 1.2, 28);
+  CGAL::Curvature_aware_simplification_report report;
+  const std::vector<Point> output =
+      simplified(points, np::number_of_output_points(2000).simplification_report(std::ref(report)));
+  ASSERT_EQ(output.size(), 2000u);
+  EXPECT_NEAR(static_cast<double>(report.number_of_outliers), 2000., 300.);
+  for (const Point& p : output)
+    EXPECT_LT(distance_to_sphere(p), 0.06); // outliers nearer than the spacing are no outliers
+  EXPECT_LT(mean_distance(output, distance_to_sphere), 1e-3);
+}
+
+TEST(Adaptive, is_dense_where_the_surface_bends)
+{
+  const double c = 3.;
+  const std::vector<Point> points = surfaces::ellipsoid(40000, c, 29);
+  const auto share_at_tips = [&](const std::vector<Point>& set)
+  {
+    return static_cast<double>(std::count_if(
+               set.begin(), set.end(), [=](const Point& p) { return std::abs(p.z()) > 0.9 * c; })) /
+           static_cast<double>(set.size());
+  };
+  const double uniform = share_at_tips(points);
+  EXPECT_NEAR(share_at_tips(simplified(points, np::adaptivity(0.))) / uniform, 1., 0.1);
+  EXPECT_GT(share_at_tips(simplified(points)) / uniform, 1.3);
+  EXPECT_GT(share_at_tips(simplified(points, np::adaptivity(1.))),
+            share_at_tips(simplified(points)));
+}
+
+TEST(Adaptive, spreads_evenly_whatever_the_density_of_the_input)
+{
+  // density 10 : 1 from pole to pole; the output of a sphere has the same density everywhere
+  std::vector<Point> points;
+  CGAL::Random random(30);
+  for (const Point& p : surfaces::sphere(100000, 30))
+    if (random.uniform_real(0., 1.) < std::pow(10., -(p.z() + 1.) / 2.))
+      points.push_back(p);
+  const std::vector<Point> output = simplified(points, np::number_of_output_points(2000));
+  const double north = static_cast<double>(
+      std::count_if(output.begin(), output.end(), [](const Point& p) { return p.z() > 0.; }));
+  EXPECT_NEAR(north / 2000., 0.5, 0.05);
+  double largest_gap = 0.;
+  const Neighbor_search search(output, Tag());
+  for (const Point& p : surfaces::sphere(20000, 31))
+    search.for_each_nearest(p, 1,
+                            [&](std::size_t, const Point&, double squared_distance)
+                            { largest_gap = std::max(largest_gap, std::sqrt(squared_distance)); });
+  // the spacing of a hexagonal lattice, whose gaps are 0.58 of it
+  EXPECT_LT(largest_gap, 1.3 * std::sqrt(4. * CGAL_PI / 2000. * 2. / std::sqrt(3.)));
+}
+
+TEST(Adaptive, keeps_the_border_of_a_square)
+{
+  CGAL::Curvature_aware_simplification_report report;
+  const std::vector<Point> output =
+      simplified(surfaces::square(100000, 32),
+                 np::number_of_output_points(2000).simplification_report(std::ref(report)));
+  const double spacing = std::sqrt(1. / 2000. * 2. / std::sqrt(3.));
+  EXPECT_NEAR(report.output_spacing / spacing, 1., 0.03);
+  const Neighbor_search search(output, Tag());
+  const auto distance = [&](double x, double y)
+  {
+    double result = 0.;
+    search.for_each_nearest(Point(x, y, 0.), 1,
+                            [&](std::size_t, const Point&, double squared_distance)
+                            { result = std::sqrt(squared_distance); });
+    return result;
+  };
+  for (double x : {0., 1.})
+    for (double y : {0., 1.})
+      EXPECT_LT(distance(x, y), spacing);
+  // per side, the outermost points of strips of two spacings
+  const int strips = static_cast<int>(0.5 / spacing);
+  for (int side = 0; side < 4; ++side)
+  {
+    std::vector<double> outermost(static_cast<std::size_t>(strips), 1.);
+    for (const Point& p : output)
+    {
+      const double t = side < 2 ? p.y() : p.x();
+      const double d = side == 0 ? p.x() : side == 1 ? 1. - p.x() : side == 2 ? p.y() : 1. - p.y();
+      double& o = outermost[static_cast<std::size_t>(
+          std::min(std::max(static_cast<int>(t * strips), 0), strips - 1))];
+      o = std::min(o, d);
+    }
+    for (double d : outermost)
+      EXPECT_LT(std::abs(d), 0.5 * spacing) << side;
+  }
+}
+
+TEST(Adaptive, does_not_mix_the_sides_of_a_thin_plate)
+{
+  // the samples of each side are 0.024 apart, its points 0.005
+  const double thickness = 0.015;
+  std::vector<Point> points;
+  for (double z : {0., thickness})
+    for (const Point& p : surfaces::square(40000, z > 0. ? 33u : 34u))
+      points.emplace_back(p.x(), p.y(), z);
+  int between = 0;
+  for (const Point& p : simplified(points, np::number_of_output_points(4000)))
+    between += std::min(std::abs(p.z()), std::abs(p.z() - thickness)) > 1e-4 ? 1 : 0;
+  EXPECT_LE(between, 4);
+}
+
+TEST(Adaptive, does_not_depend_on_the_order_of_the_input)
+{
+  std::vector<Point> points = surfaces::torus(10000, 3., 1., 35);
+  const std::vector<Point> expected = simplified(points);
+  std::mt19937 random(36);
+  std::shuffle(points.begin(), points.end(), random);
+  EXPECT_EQ(simplified(points), expected);
+}
+
+TEST(Adaptive, is_the_same_kind_of_result_when_turned)
+{
+  // another curve, another start: not the same points, but as many at each place, as near
+  const auto turned = [](const Point& p)
+  {
+    const double c = std::cos(0.7), s = std::sin(0.7);
+    return Point(p.y(), c * p.z() - s * p.x(), s * p.z() + c * p.x());
+  };
+  const auto back = [](const Point& p)
+  {
+    const double c = std::cos(0.7), s = std::sin(0.7);
+    return Point(-s * p.y() + c * p.z(), p.x(), c * p.y() + s * p.z());
+  };
+  std::vector<Point> points = surfaces::torus(40000, 3., 1., 37), other;
+  for (const Point& p : points)
+    other.push_back(turned(p));
+  const std::vector<Point> output = simplified(points);
+  std::vector<Point> turned_back;
+  for (const Point& p : simplified(other))
+    turned_back.push_back(back(p));
+  const auto error = [](const Point& p) { return surfaces::distance_to_torus(p, 3., 1.); };
+  EXPECT_NEAR(mean_distance(output, error) / mean_distance(turned_back, error), 1., 0.2);
+  const auto inner = [](const std::vector<Point>& set)
+  {
+    return static_cast<double>(std::count_if(
+        set.begin(), set.end(), [](const Point& p) { return std::hypot(p.x(), p.y()) < 3.; }));
+  };
+  EXPECT_NEAR(inner(output) / inner(turned_back), 1., 0.03);
+}
+
+TEST(Adaptive, each_parameter_has_an_effect)
+{
+  const std::vector<Point> points = surfaces::ellipsoid(5000, 3., 38);
+  const std::vector<Point> standard = simplified(points);
+  EXPECT_EQ(standard, simplified(points, np::adaptivity(2. / 3.)));
+  EXPECT_EQ(standard, simplified(points, np::repulsion_weight(0.45)));
+  EXPECT_EQ(standard, simplified(points, np::number_of_iterations(10)));
+  EXPECT_EQ(standard, simplified(points, np::number_of_neighbors(16)));
+  EXPECT_EQ(standard, simplified(points, np::settings_of_the_paper(false)));
+  EXPECT_NE(standard, simplified(points, np::adaptivity(0.3)));
+  EXPECT_NE(standard, simplified(points, np::repulsion_weight(0.3)));
+  EXPECT_NE(standard, simplified(points, np::number_of_iterations(4)));
+  EXPECT_NE(standard, simplified(points, np::random_seed(1)));
+  EXPECT_NE(standard, simplified(points, np::settings_of_the_paper(true)));
+  // what only the method of the paper knows
+  EXPECT_EQ(standard, simplified(points, np::neighbor_radius(0.5)
+                                             .curvature_weight(0.1)
+                                             .curvature_dependence(1.)
+                                             .require_uniform_sampling(true)
+                                             .recompute_curvature(true)));
+}
+
+TEST(Adaptive, reports_what_it_found)
+{
+  std::vector<Point> points = with_noise(surfaces::sphere(20000, 39), 0.01, 40);
+  add_outliers(points, 500, 1.5, 41);
+  for (Point& p : points)
+    p = Point(1000. * p.x(), 1000. * p.y(), 1000. * p.z());
+  CGAL::Curvature_aware_simplification_report report;
+  simplified(points, np::number_of_output_points(1000).simplification_report(std::ref(report)));
+  EXPECT_EQ(report.number_of_input_points, 20500u);
+  EXPECT_EQ(report.number_of_output_points, 1000u);
+  EXPECT_NEAR(report.noise_level, 10., 1.);
+  EXPECT_NEAR(static_cast<double>(report.number_of_outliers), 500., 100.);
+  EXPECT_NEAR(report.output_spacing / std::sqrt(4e6 * CGAL_PI / 1000. * 2. / std::sqrt(3.)), 1.,
+              0.1);
+  EXPECT_GT(report.outliers_time, 0.);
+  EXPECT_GT(report.noise_time, 0.);
+  EXPECT_GT(report.selection_time, 0.);
+  EXPECT_GT(report.relaxation_time, 0.);
+  EXPECT_GT(report.projection_time, 0.);
+}
+
+} // namespace
