@@ -1,12 +1,15 @@
 #!/usr/bin/env bash
 # Compares this package with all peers, and writes the page with the results.
 #
-#   scripts/benchmark.sh [quick|igea|full]
+#   scripts/benchmark.sh [quick|igea|full [OPTION...]]
 #
 # quick: three inputs, no search for settings, no external programs; under 5 minutes on two cores.
 # igea: the model of the paper's Table 1 in five conditions, if it is in ../shared/data. full: all.
+# Options are those of benchmark.py: after a change of this package, --rerun "this package" takes the
+# results of the others from the last run.
 set -euo pipefail
 mode=${1:-quick}
+shift || true
 
 . "$(dirname "$0")/setup.sh"
 install_missing libbenchmark-dev nlohmann-json3-dev python3-matplotlib python3-pil "${render_packages[@]}"
@@ -23,4 +26,4 @@ output=benchmark/Curvature_aware_simplification_3/results
 if [ "$mode" = quick ]; then output=build/benchmark/results; fi
 /usr/bin/python3 benchmark/Curvature_aware_simplification_3/benchmark.py "$mode" \
   --build build/benchmark/benchmark/Curvature_aware_simplification_3 \
-  --meshes "$CGAL_DATA_DIR/meshes" --output "$output"
+  --meshes "$CGAL_DATA_DIR/meshes" --output "$output" "$@"

@@ -13,6 +13,7 @@ import sys
 
 from PIL import Image
 
+from ablation import ablation
 from comparison import Case, Comparison
 from page import ratios, stages, table, write_csv
 from paper_figures import Figures
@@ -108,6 +109,8 @@ def main():
     parser.add_argument("--output", default=str(HERE / "results"))
     parser.add_argument("--reuse", action="store_true",
                         help="take the results that are there, and run what is missing")
+    parser.add_argument("--rerun", metavar="START",
+                        help="like --reuse, but run the methods again whose names start so")
     parser.add_argument("--seconds", type=int, default=300, help="limit for one method")
     arguments = parser.parse_args()
 
@@ -121,8 +124,11 @@ def main():
     results, sections = {}, []
     all_cases = {case.title(): case for case in cases(arguments.mode, shared, meshes)}
     for title, case in all_cases.items():
-        is_there = arguments.reuse and comparison.file(case).exists()
-        results[title] = comparison.read(case) if is_there else comparison.run(case, external=external)
+        kept = []
+        if (arguments.reuse or arguments.rerun) and comparison.file(case).exists():
+            kept = [r for r in comparison.read(case)
+                    if not arguments.rerun or not r["method"].startswith(arguments.rerun)]
+        results[title] = kept if kept and not arguments.rerun else comparison.run(case, external, kept)
         sections.append(f"### {title}\n\n{table(results[title])}\n{stages(results[title])}")
     write_csv(output / "results.csv", [r for rows in results.values() for r in rows])
 
@@ -134,7 +140,9 @@ def main():
     if not quick:
         igea = shared / "igea.ply"
         figures = Figures(comparison, meshes, igea if igea.exists() else None, render, output)
-        page += [("## The paper, row by row\n", str),
+        page += [("## What each idea is worth\n",
+                  lambda: ablation(comparison, igea if igea.exists() else None, meshes, output)),
+                 ("## The paper, row by row\n", str),
                  ("### Table 1\n", figures.table_1),
                  ("### Fig. 2: uniform and curvature-aware\n", figures.figure_2),
                  ("### Fig. 3: start and iterations\n", figures.figure_3),

@@ -69,19 +69,24 @@ class Comparison:
         with open(self.file(case)) as file:
             return [json.loads(line) for line in file]
 
-    def run(self, case, methods=None, external=None):
-        """all settings of all methods; returns and stores the list of results"""
-        results = []
-        for method in methods or self.methods() + [EDGE_COLLAPSE]:
+    def run(self, case, external=None, kept=()):
+        """all settings of all methods but those with results that are kept; returns and stores the
+        list of results"""
+        results, kept_methods = [], {result["method"] for result in kept}
+        for method in self.methods() + [EDGE_COLLAPSE]:
+            if method in kept_methods:
+                results += [result for result in kept if result["method"] == method]
+                continue
             begin = time.monotonic()
             new = self.call([*case.options(), "--method", method,
                              *([] if self.tuned else ["--defaults-only"])])
             results += [{**result, "method": method} for result in new]
             print(f"{case.title()}: {method}, {time.monotonic() - begin:.0f} s", flush=True)
-        if external:
+        if external and not kept:
             results += self.run_external(case, external)
         if self.tuned:
-            self.time_again(case, results)
+            self.time_again(case, [r for r in results if r["method"] not in kept_methods])
+        results += [r for r in kept if r["method"] not in {result["method"] for result in results}]
         name = pathlib.Path(case.source).name
         results = [{**result, "case": case.title(), "input": name} for result in results]
         with open(self.file(case), "w") as file:

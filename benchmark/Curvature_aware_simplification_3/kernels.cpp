@@ -7,8 +7,10 @@
 #include <CGAL/Curvature_aware_simplification_3/internal/Distinct_samples.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/features.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/parameters.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/relax_on_surface.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/relax_repeatedly.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/sample_spacing.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/sampling_density.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/select_points.h>
 #include <CGAL/pca_estimate_normals.h>
 
@@ -46,7 +48,8 @@ struct Stages
       parameters(read_parameters(
           CGAL::parameters::number_of_output_points(size / 10).number_of_iterations(1), size)),
       samples(distinct_samples(cloud, select_points<Tag>(cloud, features, parameters)).points),
-      radius(radius_in_spacings * sample_spacing<Tag>(samples))
+      radius(radius_in_spacings * sample_spacing<Tag>(samples)),
+      fit{search, cloud.size(), 0.}
   {}
 
   std::vector<Point> points;
@@ -56,6 +59,9 @@ struct Stages
   Parameters parameters;
   std::vector<Point> samples;
   double radius;
+  Surface_fit fit;
+  std::vector<Surface_sample>
+      surface_samples; // by the projection, before the first relaxation step
 };
 
 Stages& stages(const benchmark::State& state)
@@ -117,6 +123,44 @@ void one_relaxation_step(benchmark::State& state)
   });
 }
 
+void sampling_density(benchmark::State& state)
+{
+  measure(state,
+          [](Stages& s)
+          {
+    benchmark::DoNotOptimize(
+        CGAL::Curvature_aware_simplification_3::internal::sampling_density<Tag>(
+            s.cloud.points, s.search, s.features.inverse_density, s.samples.size(), 2. / 3., 0.,
+            Adaptive_settings(), Progress(no_callback)));
+  });
+}
+
+// fits the local surface of each sample and puts the sample on it
+void projection(benchmark::State& state)
+{
+  measure(state,
+          [](Stages& s)
+          {
+    s.surface_samples.assign(s.samples.size(), Surface_sample());
+    for_each_index<Tag>(0, s.samples.size(),
+                        [&](std::size_t i)
+                        {
+      s.surface_samples[i].spacing = s.radius / radius_in_spacings;
+      s.surface_samples[i].place(s.fit, s.samples[i], CGAL::NULL_VECTOR);
+    });
+  });
+}
+
+void one_adaptive_relaxation_step(benchmark::State& state)
+{
+  measure(state,
+          [](Stages& s)
+          {
+    benchmark::DoNotOptimize(
+        relax_on_surface<Tag>(s.surface_samples, s.fit, 0.45, Progress(no_callback)));
+  });
+}
+
 // the unit in which the costs are compared
 void cgal_pca_estimate_normals(benchmark::State& state)
 {
@@ -147,6 +191,9 @@ BENCHMARK(tree_building)->Apply(sizes_and_threads);
 BENCHMARK(features)->Apply(sizes_and_threads);
 BENCHMARK(selection)->Apply(sizes_and_threads);
 BENCHMARK(one_relaxation_step)->Apply(sizes_and_threads);
+BENCHMARK(sampling_density)->Apply(sizes_and_threads);
+BENCHMARK(projection)->Apply(sizes_and_threads);
+BENCHMARK(one_adaptive_relaxation_step)->Apply(sizes_and_threads);
 BENCHMARK(cgal_pca_estimate_normals)->Apply(sizes_and_threads);
 
 } // namespace

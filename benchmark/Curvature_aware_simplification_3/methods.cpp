@@ -19,6 +19,7 @@
 #include <map>
 #include <sstream>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -38,14 +39,17 @@ std::string text(const char* format, double value)
 // radii in output spacings, from one ring of samples to CGAL's advice of two
 const std::vector<double> radii = {0.8, 1., 1.25, 1.6, 2.};
 
+using CGAL::Curvature_aware_simplification_3::internal::Adaptive_settings;
+
 template <typename NamedParameters>
-Points curvature_aware(const Task& task, const NamedParameters& parameters)
+Points curvature_aware(const Task& task, const NamedParameters& parameters,
+                       const Adaptive_settings& settings = Adaptive_settings())
 {
   Points output;
-  CGAL::curvature_aware_simplify_point_set<Tag>(
+  CGAL::Curvature_aware_simplification_3::internal::simplify_point_set<Tag>(
       task.points, std::back_inserter(output),
-      parameters.number_of_output_points(task.count)
-          .simplification_report(std::ref(last_report())));
+      parameters.number_of_output_points(task.count).simplification_report(std::ref(last_report())),
+      settings);
   return output;
 }
 
@@ -203,6 +207,23 @@ Setting with_parameters(const std::string& parameters)
   const auto number = [values](const std::string& name, double standard)
   { return values.count(name) != 0 ? std::stod(values.at(name)) : standard; };
 
+  Adaptive_settings settings;
+  const auto set = [&](const char* name, auto& setting)
+  {
+    setting =
+        static_cast<std::decay_t<decltype(setting)>>(number(name, static_cast<double>(setting)));
+  };
+  set("find_outliers", settings.find_outliers);
+  set("measure_noise", settings.measure_noise);
+  set("curvature_radius", settings.curvature_radius);
+  set("least_curvature", settings.least_curvature);
+  set("smooth_spacings", settings.smooth_spacings);
+  set("sharpness_of_repulsion", settings.sharpness_of_repulsion);
+  set("weight_of_height", settings.weight_of_height);
+  set("keep_borders", settings.keep_borders);
+  set("moves_to_foot_point", settings.moves_to_foot_point);
+  set("denoise", settings.denoise);
+
   return {parameters, [=](const Task& given)
           {
     Task t = given;
@@ -215,7 +236,7 @@ Setting with_parameters(const std::string& parameters)
                             .number_of_iterations(number("iterations", 10.))
                             .random_seed(t.seed);
     if (values.count("radius") == 0)
-      return curvature_aware(t, chosen);
+      return curvature_aware(t, chosen, settings);
     const double radius =
         values.at("radius") == "paper" ? radius_of_the_paper(t) : number("radius", 2.) * t.spacing;
     return curvature_aware(t, chosen.neighbor_radius(radius));

@@ -102,7 +102,7 @@ must_fail "the argument .*many.* is invalid" -n many patch.xyz new.xyz
 must_fail "select_percentage is 0, but must be above 0 and at most 100" -p 0 patch.xyz new.xyz
 must_fail "number_of_output_points is -3, but must be" -n -3 patch.xyz new.xyz
 must_fail "number_of_output_points is 10001, but must be .* 10000" -n 10001 patch.xyz new.xyz
-must_fail "neighbor_radius is 0, but must be above 0" -r 0 patch.xyz new.xyz
+must_fail "neighbor_radius is 0, but must be above 0" --paper -r 0 patch.xyz new.xyz
 must_fail "number_of_iterations is -1" -i -1 patch.xyz new.xyz
 
 # a full disk: nothing is left, and an older file stays

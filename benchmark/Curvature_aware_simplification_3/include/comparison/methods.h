@@ -38,9 +38,9 @@ struct Method
 
 std::vector<Method> methods();
 
-// This package with some parameters given as text: `curvature_weight=0 iterations=30 radius=2`, the
-// radius in output spacings or `paper`; with `remove_outliers=2` after CGAL's function, the threshold
-// in input spacings
+// This package with some parameters given as text: `adaptivity=0 iterations=30`, the members of
+// Adaptive_settings, or `paper=1 curvature_weight=0 radius=2`, the radius in output spacings or
+// `paper`; with `remove_outliers=2` after CGAL's function, the threshold in input spacings
 Setting with_parameters(const std::string& parameters);
 
 // The stages of the last call of this package

@@ -1,0 +1,65 @@
+"""What each idea of the adaptive method is worth: the error with the idea switched off."""
+
+import concurrent.futures
+import math
+
+from comparison import Case
+from page import write_table
+
+DEGRADATIONS = ["clean", "sparse", "noise:0.2", "outliers:5", "density:10"]
+IDEAS = [
+    ("uniform density", "adaptivity=0"),
+    ("curvature in balls of half a spacing", "curvature_radius=0.5"),
+    ("lower bound of the curvature 0.1 of the mean, not 0.5", "least_curvature=0.1"),
+    ("wanted spacings not smoothed", "smooth_spacings=0"),
+    ("no relaxation", "iterations=0"),
+    ("4 iterations", "iterations=4"),
+    ("20 iterations", "iterations=20"),
+    ("narrow repulsion, as in the paper for h of two spacings", "sharpness_of_repulsion=4"),
+    ("heights count once in the repulsion", "weight_of_height=1"),
+    ("samples may cross borders", "keep_borders=0"),
+    ("outliers not looked for", "find_outliers=0"),
+    ("noise not measured", "measure_noise=0"),
+    ("balls of fits not moved to foot points", "moves_to_foot_point=0"),
+    ("narrowest fits only", "denoise=0"),
+]
+MEASURES = [("recon_mean", "mean"), ("recon_p99", "p99"), ("recon_max", "max"),
+            ("distance_mean", "Δ mean")]
+
+
+def cases(igea, meshes):
+    """a head, an animal with thin parts, sharp and rounded edges, open terrain"""
+    shapes = [(str(igea), None)] if igea else []
+    shapes += [(str(meshes / "refined_elephant.off"), 60000), ("rounded_box", 40000),
+               ("wavy_patch", 40000)]
+    for source, sample in shapes:
+        for degradation in DEGRADATIONS:
+            sparse = degradation == "sparse"
+            yield degradation, Case(source, source, "clean" if sparse else degradation,
+                                    percentage=1 if sparse else 10, sample=sample)
+
+
+def ablation(comparison, igea, meshes, output):
+    """a table: geometric means over the shapes, as ratios to all ideas together"""
+    tasks = [(degradation, case, idea, parameters) for degradation, case in cases(igea, meshes)
+             for idea, parameters in [("", "iterations=10"), *IDEAS]]
+    with concurrent.futures.ThreadPoolExecutor(2) as pool:
+        results = list(pool.map(
+            lambda task: comparison.call([*task[1].options(), "--parameters", task[3]])[-1], tasks))
+    found = {(degradation, case.source, idea): result
+             for (degradation, case, idea, _), result in zip(tasks, results)}
+    rows = [["without", "measure", *(d.replace(":", " ") for d in DEGRADATIONS), "all"]]
+    for idea, _ in IDEAS:
+        for measure, title in MEASURES:
+            logarithms = {d: [] for d in DEGRADATIONS}
+            for (degradation, source, name), result in found.items():
+                base = found[degradation, source, ""]
+                if name == idea and measure in result and measure in base:
+                    logarithms[degradation].append(math.log(result[measure] / base[measure]))
+            everything = sum(logarithms.values(), [])
+            rows.append([idea if title == "mean" else "", title,
+                         *(f"{math.exp(sum(v) / len(v)):.2f}" if v else "–"
+                           for v in [*logarithms.values(), everything])])
+    return ("Error with one idea switched off, over that with all of them, as geometric means over "
+            "Igea, the elephant, the rounded box and the wavy patch: above 1, the idea helps.\n\n"
+            + write_table(output / "ablation.csv", rows))
