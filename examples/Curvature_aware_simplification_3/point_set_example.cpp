@@ -33,7 +33,7 @@ int main(int argc, char* argv[])
   Point_set output;
   CGAL::curvature_aware_simplify_point_set<Concurrency_tag>(
       points, output.point_back_inserter(),
-      CGAL::parameters::select_percentage(20).curvature_weight(0.5));
+      CGAL::parameters::select_percentage(20).adaptivity(0.5));
   std::cout << points.size() << " points simplified to " << output.size() << std::endl;
   return EXIT_SUCCESS;
 }

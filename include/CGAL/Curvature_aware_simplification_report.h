@@ -27,12 +27,12 @@ struct Curvature_aware_simplification_report
   /// number of points written
   std::size_t number_of_output_points = 0;
 
-  /// typical distance of neighboring output points: that of a hexagonal lattice of the same density
-  /// as the selected points have, in the median over all of them
+  /// typical distance of neighboring output points: that of a hexagonal lattice of their mean
+  /// density, or, with the settings of the paper, of the median density of the selected points
   double output_spacing = 0.;
-  /// radius \f$h\f$ of the neighborhoods that were used, given or derived
+  /// with the settings of the paper, the radius \f$h\f$ that was used, given or derived; otherwise 0
   double neighbor_radius = 0.;
-  /// largest surface variation of an input point, which is scaled to 20
+  /// largest surface variation of an input point
   double maximum_surface_variation = 0.;
 
   /// number of distinct input points that were taken for outliers; they have no influence

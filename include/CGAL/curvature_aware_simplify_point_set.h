@@ -95,17 +95,41 @@ OutputIterator simplify_point_set(const PointRange& points, OutputIterator outpu
 \ingroup PkgCurvatureAwareSimplification3Algorithms
 
 \brief simplifies a point set to a given number of points, dense where the surface bends and sparse
-where it is flat, that lie near the surface and are spread evenly.
+where it is flat, that lie on the surface and are spread evenly.
 
-This is an implementation of the curvature-aware simplification of
-\cgalCite{cgal:curvature-aware-simplification}, a locally optimal projection (LOP) with weights that
-depend on curvature, started from a curvature- and density-aware random selection:
+The input may be a raw scan: its outliers, its noise and its density are measured, and there is nothing
+to tune. This is the curvature-aware simplification of \cgalCite{cgal:curvature-aware-simplification},
+a locally optimal projection started from a curvature-aware random selection, made to adapt to its
+input:
 
--# The surface variation \f$\kappa\f$ and the density \f$\rho\f$ of every input point are computed
-   from its nearest neighbors, see `CGAL::estimate_surface_variation()`.
--# Points are selected at random with a probability that grows with \f$\kappa\f$ and with
-   \f$1/\rho\f$ (section 4.1), see `CGAL::curvature_aware_random_simplify_point_set()`.
--# These samples are relaxed: in each iteration, every sample \f$x\f$ moves to
+-# Outliers are found: points that few others have among their \f$k\f$ nearest neighbors, and that are
+   in no layer. They have no influence on anything.
+-# The standard deviation \f$\sigma\f$ of the noise is estimated from what local quadrics leave.
+-# The density of the output follows the curvature \f$c\f$ at the distance of the output points, as
+   \f$c^{\alpha}\f$, where \f$\sigma\f$ does not explain it, and not the density of the input.
+-# Samples are selected at random with this density, evenly along a space-filling curve.
+-# Samples are relaxed. Each moves on a local surface, a quadric fitted robustly to its nearest input
+   points, instead of towards a mean of them (the first term of eq. 8), and away from a weighted mean of
+   the other samples (the second term of eq. 8) in the tangent plane. Samples are not pushed across
+   borders.
+-# Where there is noise, samples move towards fits to more neighbors, as far as noise explains the
+   difference.
+
+What was found is told by `simplification_report`. The manual has the details.
+
+The result does not depend on the unit or the origin of the coordinates, nor on the order of the
+points, and is the same, bit by bit, for the same input and seed, whatever the concurrency tag and the
+number of threads. The input is neither changed nor reordered. With \f$M\f$ input and \f$N\f$ output
+points, the time is \f$O(M (\log M + k) + i N \log M)\f$ for \f$i\f$ iterations, the memory
+\f$O(M)\f$.
+
+<b>The settings of the paper</b> are available with `settings_of_the_paper(true)`. Then,
+
+-# the surface variation \f$\kappa\f$ and the density \f$\rho\f$ of every input point are computed from
+   its nearest neighbors, see `CGAL::estimate_surface_variation()`;
+-# points are selected at random with a probability that grows with \f$\kappa\f$ and with
+   \f$1/\rho\f$ (section 4.1), see `CGAL::curvature_aware_random_simplify_point_set()`;
+-# in each iteration, every sample \f$x\f$ moves to
    \f[ x' = \frac{\sum_j \alpha_j \phi_1(\kappa_j) \, p_j}{\sum_j \alpha_j \phi_1(\kappa_j)}
    + \mu \frac{\sum_i \beta_i \phi_2(\kappa, \kappa_i) (x - x_i)}{\sum_i \beta_i
    \phi_2(\kappa, \kappa_i)} \f]
@@ -116,17 +140,12 @@ depend on curvature, started from a curvature- and density-aware random selectio
    + a(\kappa')) / 2\f$ with \f$a(\kappa) = 0.1 + 1 / (\kappa^d + 0.75)\f$ take \f$\kappa\f$ scaled
    to \f$[0, 20]\f$ (eq. 3 to 6).
 
-The result does not depend on the unit or the origin of the coordinates, and is the same, bit by bit,
-for the same input and seed, whatever the concurrency tag and the number of threads. The input is
-neither changed nor reordered. With \f$M\f$ input and \f$N\f$ output points, the time is
-\f$O(M (\log M + k) + i N (\log M + n))\f$ for \f$i\f$ iterations and \f$n\f$ points in a ball of
-radius \f$h\f$, the memory \f$O(M)\f$.
-
-<b>The settings of the paper</b> are the defaults, except for `neighbor_radius`. The paper's \f$h = 4
-\sqrt{D / M}\f$, with \f$D\f$ the length of the diagonal of the input's bounding box, depends on the
-unit; it becomes \f$4 D / \sqrt{M}\f$ for an input scaled to \f$D = 1\f$. It does not depend on
-\f$N\f$ either, and holds no other sample when few are asked for, so that nothing is spread. The
-default here follows the spacing of the output instead.
+All defaults are those of the paper then, except for `neighbor_radius`. The paper's \f$h = 4 \sqrt{D /
+M}\f$, with \f$D\f$ the length of the diagonal of the input's bounding box, depends on the unit; it
+becomes \f$4 D / \sqrt{M}\f$ for an input scaled to \f$D = 1\f$. It does not depend on \f$N\f$ either,
+and holds no other sample when few are asked for, so that nothing is spread. The default here follows
+the spacing of the output instead. Random numbers are a function of the position of a point in the
+input then, so that a permutation of the input gives another selection.
 
 \tparam ConcurrencyTag enables sequential versus parallel algorithm. Possible values are
         `Sequential_tag`, `Parallel_tag`, and `Parallel_if_available_tag`. The result is the same.
@@ -163,29 +182,15 @@ default here follows the spacing of the output instead.
     \cgalParamDefault{unused}
   \cgalParamNEnd
 
-  \cgalParamNBegin{curvature_weight}
-    \cgalParamDescription{the weight \f$w_\kappa\f$ of the surface variation in the selection; that
-                          of the inverse density is \f$w_\rho = 1 - w_\kappa\f$}
-    \cgalParamType{floating scalar value from 0 to 1}
-    \cgalParamDefault{`0.75`}
-    \cgalParamExtra{With 0, the selection makes up for an uneven density of the input and knows no
-                    curvature.}
-  \cgalParamNEnd
-
   \cgalParamNBegin{adaptivity}
-    \cgalParamDescription{how strongly the selection depends on curvature and density: \f$\alpha\f$}
+    \cgalParamDescription{how strongly the density of the result depends on the curvature: the exponent
+                          \f$\alpha\f$}
     \cgalParamType{floating scalar value from 0 to 1}
     \cgalParamDefault{`2/3`}
-    \cgalParamExtra{With 0, all points are equally likely.}
-  \cgalParamNEnd
-
-  \cgalParamNBegin{curvature_dependence}
-    \cgalParamDescription{how strongly the relaxation gathers samples where the surface bends:
-                          the exponent \f$d\f$ of \f$\phi_1\f$ and \f$\phi_2\f$}
-    \cgalParamType{floating scalar value, at least 0}
-    \cgalParamDefault{`2`}
-    \cgalParamExtra{With 0, the relaxation knows no curvature and spreads the samples uniformly.
-                    Together with `adaptivity(0)`, this is the classical LOP.}
+    \cgalParamExtra{With 0, the result is uniform. For a piecewise linear surface through the result, 1/2
+                    gives the least mean error, 1 the least largest error. With the settings of the
+                    paper, it is the weight \f$\alpha\f$ in the probabilities of section 4.1, and with 0
+                    all points are equally likely.}
   \cgalParamNEnd
 
   \cgalParamNBegin{number_of_iterations}
@@ -195,59 +200,83 @@ default here follows the spacing of the output instead.
     \cgalParamExtra{More iterations give a more regular result but increase the running time.}
   \cgalParamNEnd
 
-  \cgalParamNBegin{neighbor_radius}
-    \cgalParamDescription{the radius \f$h\f$ of the ball in which input points attract and other
-                          samples repel a sample, in the unit of the coordinates}
-    \cgalParamType{floating scalar value, above 0}
-    \cgalParamDefault{twice the spacing of the selected points, so that the ball holds two rings of
-                      them}
-    \cgalParamExtra{A larger radius removes more noise and detail and takes more time.}
-  \cgalParamNEnd
-
   \cgalParamNBegin{repulsion_weight}
     \cgalParamDescription{the factor \f$\mu\f$ of the repulsion}
     \cgalParamType{floating scalar value, at least 0 and below 0.5}
     \cgalParamDefault{`0.45`}
   \cgalParamNEnd
 
+  \cgalParamNBegin{number_of_neighbors}
+    \cgalParamDescription{the number \f$k\f$ of neighbors, the point itself not counted, by which
+                          outliers are found, and, with the settings of the paper, surface variation and
+                          density are computed}
+    \cgalParamType{an integer of at least 2}
+    \cgalParamDefault{`16`}
+    \cgalParamExtra{More neighbors find clusters of up to about a quarter as many outliers, and make the
+                    surface variation robust against noise and blind to details smaller than the
+                    neighborhood.}
+  \cgalParamNEnd
+
+  \cgalParamNBegin{settings_of_the_paper}
+    \cgalParamDescription{if `true`, the literal method of the paper is used, which knows neither the
+                          noise nor the outliers of the input}
+    \cgalParamType{Boolean}
+    \cgalParamDefault{`false`}
+    \cgalParamExtra{The next five parameters matter only then; they are checked, but have no effect
+                    otherwise.}
+  \cgalParamNEnd
+
+  \cgalParamNBegin{curvature_weight}
+    \cgalParamDescription{with the settings of the paper, the weight \f$w_\kappa\f$ of the surface
+                          variation in the selection; that of the inverse density is
+                          \f$w_\rho = 1 - w_\kappa\f$}
+    \cgalParamType{floating scalar value from 0 to 1}
+    \cgalParamDefault{`0.75`}
+    \cgalParamExtra{With 0, the selection makes up for an uneven density of the input and knows no
+                    curvature.}
+  \cgalParamNEnd
+
+  \cgalParamNBegin{curvature_dependence}
+    \cgalParamDescription{with the settings of the paper, how strongly the relaxation gathers samples
+                          where the surface bends: the exponent \f$d\f$ of \f$\phi_1\f$ and
+                          \f$\phi_2\f$}
+    \cgalParamType{floating scalar value, at least 0}
+    \cgalParamDefault{`2`}
+    \cgalParamExtra{With 0, the relaxation knows no curvature and spreads the samples uniformly.
+                    Together with `adaptivity(0)`, this is the classical LOP.}
+  \cgalParamNEnd
+
+  \cgalParamNBegin{neighbor_radius}
+    \cgalParamDescription{with the settings of the paper, the radius \f$h\f$ of the ball in which input
+                          points attract and other samples repel a sample, in the unit of the
+                          coordinates}
+    \cgalParamType{floating scalar value, above 0}
+    \cgalParamDefault{twice the spacing of the selected points, so that the ball holds two rings of
+                      them}
+    \cgalParamExtra{A larger radius removes more noise and detail and takes more time.}
+  \cgalParamNEnd
+
   \cgalParamNBegin{require_uniform_sampling}
-    \cgalParamDescription{if `true`, the terms of eq. 8 are weighted by the local densities as in
-                          WLOP \cgalCite{wlop-2009}, which evens out an input of very uneven density}
+    \cgalParamDescription{with the settings of the paper, if `true`, the terms of eq. 8 are weighted
+                          by the local densities as in WLOP \cgalCite{wlop-2009}, which evens out an
+                          input of very uneven density}
     \cgalParamType{Boolean}
     \cgalParamDefault{`false`}
     \cgalParamExtra{Takes a ball query more for each input point.}
   \cgalParamNEnd
 
   \cgalParamNBegin{recompute_curvature}
-    \cgalParamDescription{if `true`, the surface variation of a sample is computed from the input
-                          points around it in every iteration (section 5.3), which helps with noise;
-                          if `false`, it is that of the nearest input point (section 4.2)}
+    \cgalParamDescription{with the settings of the paper, if `true`, the surface variation of a
+                          sample is computed from the input points around it in every iteration
+                          (section 5.3), which helps with noise; if `false`, it is that of the nearest
+                          input point (section 4.2)}
     \cgalParamType{Boolean}
     \cgalParamDefault{`false`}
     \cgalParamExtra{Takes a query of `number_of_neighbors` points more for each sample and iteration.}
   \cgalParamNEnd
 
-  \cgalParamNBegin{number_of_neighbors}
-    \cgalParamDescription{the number \f$k\f$ of neighbors from which surface variation and density
-                          are computed, the point itself not counted}
-    \cgalParamType{an integer of at least 2}
-    \cgalParamDefault{`16`}
-    \cgalParamExtra{More neighbors make the estimates robust against noise, and blind to details
-                    smaller than the neighborhood.}
-  \cgalParamNEnd
-
-  \cgalParamNBegin{settings_of_the_paper}
-    \cgalParamDescription{if `true`, the literal method of the paper is used, which knows neither the
-                          noise nor the outliers of the input; the parameters `curvature_weight`,
-                          `adaptivity`, `curvature_dependence`, `neighbor_radius`,
-                          `require_uniform_sampling` and `recompute_curvature` only matter then}
-    \cgalParamType{Boolean}
-    \cgalParamDefault{`false`}
-  \cgalParamNEnd
-
   \cgalParamNBegin{random_seed}
-    \cgalParamDescription{seed of the random numbers, which are a function of it and of the position
-                          of a point in the range: same input and seed, same result}
+    \cgalParamDescription{seed of the random numbers: same input and seed, same result}
     \cgalParamType{an integer}
     \cgalParamDefault{`0`}
   \cgalParamNEnd
@@ -262,7 +291,8 @@ default here follows the spacing of the output instead.
   \cgalParamNEnd
 
   \cgalParamNBegin{simplification_report}
-    \cgalParamDescription{receives what was found in the input, and the time of each stage}
+    \cgalParamDescription{receives what was found in the input, such as the noise and the number of
+                          outliers, and the time of each stage}
     \cgalParamType{`std::reference_wrapper<CGAL::Curvature_aware_simplification_report>`}
     \cgalParamDefault{unused}
   \cgalParamNEnd
