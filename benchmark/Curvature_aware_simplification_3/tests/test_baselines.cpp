@@ -17,6 +17,7 @@
 #include <functional>
 #include <limits>
 #include <numeric>
+#include <ostream>
 #include <string>
 #include <vector>
 
@@ -356,6 +357,12 @@ struct Baseline
   std::size_t count_tolerance;
   double torus_error, sphere_error; // bounds of the distance to the surface
 };
+
+// for the messages of GoogleTest, which print the bytes of an object otherwise
+void PrintTo(const Baseline& baseline, std::ostream* stream)
+{
+  *stream << baseline.name;
+}
 
 // 2000 of 20000 points: the torus has an output spacing h of 0.26 and the sphere of 0.085. Centroids
 // of a cell of that size, and medians, are off by up to h^2 / 2 with a curvature of 1.
