@@ -58,6 +58,47 @@ inline double residual_spread(const Neighborhood& neighborhood, const Local_surf
   return 1.4826 * *median * std::sqrt(n / (std::max)(n - 5., 1.));
 }
 
+// Collects k neighbors of x, or more if the noise asks for a wider ball
+inline void collect_against_noise(const Surface_fit& fit, const Point& x, std::size_t& k,
+                                  Neighborhood& neighborhood)
+{
+  const double wanted_radius = smallest_radius_in_noise * fit.noise;
+  const std::size_t largest = (std::min)(largest_neighborhood, fit.number_of_points);
+  k = (std::min)((std::max)(smallest_neighborhood, k), largest);
+  neighborhood.collect(fit.search, x, k);
+  while (neighborhood.radius < wanted_radius && k < largest)
+  {
+    // points on a surface grow with the square of the radius; 10 % more spare a second query
+    const double ratio = wanted_radius / (neighborhood.radius + 1e-300);
+    const double factor = (std::min)((std::max)(1.1 * ratio * ratio, 1.2), 4.);
+    k = (std::min)(largest, static_cast<std::size_t>(factor * static_cast<double>(k)) + 1);
+    neighborhood.collect(fit.search, x, k);
+  }
+}
+
+// Where the fit for a sample starts that is put on the input point x: with noise, the mean of the other
+// points around x. A point that is 3 sigma off the surface sees no layer, only points on one side that
+// spread about as far in height as in width; their mean is amid the layer, whichever its normal.
+inline Point start_on_surface(const Surface_fit& fit, const Point& x, std::size_t& k,
+                              Neighborhood& neighborhood)
+{
+  if (fit.noise == 0.)
+    return x;
+  collect_against_noise(fit, x, k, neighborhood);
+  if (!(neighborhood.radius > 0.))
+    return x;
+  neighborhood.weight_by_distance();
+  Vector sum(0., 0., 0.);
+  double weight = 0.;
+  for (const Neighborhood::Neighbor& neighbor : neighborhood.neighbors)
+    if (neighbor.squared_distance > 0.)
+    {
+      sum = sum + neighbor.weight * neighbor.position;
+      weight += neighbor.weight;
+    }
+  return x + sum / weight;
+}
+
 // The narrowest surface that can be trusted, around the foot point of x: a quadric by iteratively
 // reweighted least squares. `normal` is a guess, or the null vector where there is none, and
 // `expected_neighbors` how many neighbors may be needed, or 0. The neighbors are left in
@@ -66,28 +107,20 @@ inline Local_surface fit_local_surface(const Surface_fit& fit, const Point& x, c
                                        std::size_t expected_neighbors, Neighborhood& neighborhood)
 {
   const bool has_guess = normal != NULL_VECTOR;
-  const double wanted_radius = smallest_radius_in_noise * fit.noise;
-  const std::size_t largest = (std::min)(largest_neighborhood, fit.number_of_points);
-  std::size_t k = (std::min)((std::max)(smallest_neighborhood, expected_neighbors), largest);
+  std::size_t k = expected_neighbors;
 
   Local_surface surface;
   surface.origin = x;
   if (has_guess)
     surface.n = normal;
+  else
+    surface.origin = start_on_surface(fit, x, k, neighborhood);
   surface.complete_frame();
   // A ball around a point off the surface holds more of the noise on its side: it is moved to the
   // foot point.
   for (int moves = 0;;)
   {
-    neighborhood.collect(fit.search, surface.origin, k);
-    if (neighborhood.radius < wanted_radius && k < largest)
-    {
-      // points on a surface grow with the square of the radius; 10 % more spare a second query
-      const double ratio = wanted_radius / (neighborhood.radius + 1e-300);
-      const double factor = (std::min)((std::max)(1.1 * ratio * ratio, 1.2), 4.);
-      k = (std::min)(largest, static_cast<std::size_t>(factor * static_cast<double>(k)) + 1);
-      continue;
-    }
+    collect_against_noise(fit, surface.origin, k, neighborhood);
     if (!(neighborhood.radius > 0.))
       return surface;
 
@@ -100,11 +133,13 @@ inline Local_surface fit_local_surface(const Surface_fit& fit, const Point& x, c
           if (neighbor.squared_distance == 0.)
             neighbor.weight = 0.;
     };
-    // First a plane of the inner neighbors: the ball may reach another sheet, which the next rounds
-    // then leave out.
+    // First a plane. The ball may reach another sheet, which the next rounds then leave out: inner
+    // neighbors decide, unless the ball is as narrow as the noise allows. Then all are needed to tell
+    // the normal.
     weight_by_distance();
-    for (Neighborhood::Neighbor& neighbor : neighborhood.neighbors)
-      neighbor.weight = neighbor.weight * neighbor.weight * neighbor.weight;
+    if (neighborhood.radius > 2. * smallest_radius_in_noise * fit.noise)
+      for (Neighborhood::Neighbor& neighbor : neighborhood.neighbors)
+        neighbor.weight = neighbor.weight * neighbor.weight * neighbor.weight;
     if (!has_guess && moves == 0)
     {
       surface.n = plane_normal(neighborhood);
