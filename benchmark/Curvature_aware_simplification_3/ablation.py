@@ -15,11 +15,12 @@ IDEAS = [
     ("no relaxation", "iterations=0"),
     ("4 iterations", "iterations=4"),
     ("20 iterations", "iterations=20"),
-    ("narrow repulsion, as in the paper for h of two spacings", "sharpness_of_repulsion=4"),
+    ("narrow repulsion, as in the paper for h of two spacings", "reach_of_repulsion=1.22"),
     ("heights count once in the repulsion", "weight_of_height=1"),
     ("samples may cross borders", "keep_borders=0"),
     ("outliers not looked for", "find_outliers=0"),
     ("noise not measured", "measure_noise=0"),
+    ("fits not started amid the layer of noise", "start_amid_layer=0"),
     ("balls of fits not moved to foot points", "moves_to_foot_point=0"),
     ("narrowest fits only", "denoise=0"),
 ]

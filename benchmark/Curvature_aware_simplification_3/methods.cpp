@@ -218,7 +218,8 @@ Setting with_parameters(const std::string& parameters)
   set("curvature_radius", settings.curvature_radius);
   set("least_curvature", settings.least_curvature);
   set("smooth_spacings", settings.smooth_spacings);
-  set("sharpness_of_repulsion", settings.sharpness_of_repulsion);
+  set("reach_of_repulsion", settings.reach_of_repulsion);
+  set("start_amid_layer", settings.start_amid_layer);
   set("weight_of_height", settings.weight_of_height);
   set("keep_borders", settings.keep_borders);
   set("moves_to_foot_point", settings.moves_to_foot_point);

@@ -29,17 +29,18 @@ struct Adaptive_settings
   // The spacings that samples want are means over them and their 8 nearest.
   bool smooth_spacings = true;
 
-  // theta(rho) = exp(-sharpness rho^2) for rho in spacings: that of the paper for h = 3.3 spacings.
-  // The narrow one of h = 2 spacings, sharpness 4, knows only the nearest neighbor, and is slow to
-  // even out.
-  double sharpness_of_repulsion = 1.5;
+  // How far samples repel each other, in spacings. With 1.22, theta is about that of the paper for h of
+  // 2 spacings, which knows only the nearest neighbor, and is slow to even out.
+  double reach_of_repulsion = 2.;
   // Heights over the tangent plane count so much more in rho^2, so that the two sides of a thin part
   // hardly see each other.
   double weight_of_height = 4.;
   // Samples are not pushed across a border.
   bool keep_borders = true;
 
-  // How often the ball of a fit is moved to the foot point, with noise. Three moves bring a point
+  // With noise, a fit starts at the mean of the points around a selected point, not at that point.
+  bool start_amid_layer = true;
+  // How often the ball of a fit is moved to the foot point. Three moves bring a point
   // from 4 sigma to within the tolerance of sigma / 2.
   int moves_to_foot_point = 3;
   // With noise, each sample moves towards wider fits, as far as noise explains the difference.

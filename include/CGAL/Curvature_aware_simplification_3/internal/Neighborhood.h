@@ -46,6 +46,34 @@ struct Neighborhood
     radius = std::sqrt(squared_radius);
   }
 
+  // all in the ball; far fewer operations than for as many nearest ones
+  void collect_within(const Neighbor_search& search, const Point& query, double ball_radius)
+  {
+    center = query;
+    neighbors.clear();
+    radius = ball_radius;
+    search.for_each_within(query, ball_radius,
+                           [&](std::size_t, const Point& p, double squared_distance) {
+      neighbors.push_back({p - query, squared_distance, 1.});
+    });
+  }
+
+  // those of another neighborhood, which holds them all, that are in the ball
+  void take_within(const Neighborhood& other, const Point& query, double ball_radius)
+  {
+    center = query;
+    neighbors.clear();
+    radius = ball_radius;
+    const Vector offset = other.center - query;
+    for (const Neighbor& neighbor : other.neighbors)
+    {
+      const Vector position = neighbor.position + offset;
+      const double squared_distance = position.squared_length();
+      if (squared_distance <= ball_radius * ball_radius)
+        neighbors.push_back({position, squared_distance, 1.});
+    }
+  }
+
   std::size_t size() const { return neighbors.size(); }
 
   void weight_by_distance()

@@ -49,13 +49,18 @@ inline Fits_of_all_sizes fits_of_all_sizes(const Surface_fit& fit, const Surface
   Fits_of_all_sizes fits{surface.origin, {}};
   if (!(surface.radius > 0.))
     return fits;
-  const std::size_t largest = (std::min)(largest_neighborhood, fit.number_of_points);
-  std::size_t k = surface.neighbors;
-  while (k < largest)
+  // Balls of twice the area, and so on. All are in the largest, which is searched once.
+  const double ratio = static_cast<double>(largest_neighborhood) /
+                       static_cast<double>((std::max)(surface.neighbors, std::size_t(1)));
+  const double largest_radius = surface.radius * std::sqrt(ratio);
+  static thread_local Neighborhood wide;
+  if (ratio > 1.)
+    wide.collect_within(fit.search, surface.origin, largest_radius);
+  for (double radius = surface.radius; radius < largest_radius;)
   {
-    k = (std::min)(2 * k, largest);
+    radius = (std::min)(std::sqrt(2.) * radius, largest_radius);
     const Local_surface narrow = surface;
-    if (!widen(fit, k, neighborhood, surface))
+    if (!widen(fit, wide, radius, neighborhood, surface))
       break;
     fits.widenings.push_back({((surface.origin - narrow.origin) * surface.n) * surface.n,
                               narrow.error * narrow.error - surface.error * surface.error});

@@ -31,9 +31,9 @@ struct Surface_fit
 constexpr std::size_t smallest_neighborhood = 19;
 // Four doublings above. Then noise is down to sigma / 6, and time grows faster than accuracy.
 constexpr std::size_t largest_neighborhood = 16 * 18 + 1;
-// A quadric is known to a third of sigma from a disk with a radius of some 6 sigma, where the layer
+// A quadric is known to a third of sigma from a disk with a radius of some 7 sigma, where the layer
 // of noisy points looks flat; in a smaller ball it looks as thick as wide and has no normal.
-constexpr double smallest_radius_in_noise = 6.;
+constexpr double smallest_radius_in_noise = 7.;
 // Welsch's weight exp(-e^2 / 2) with e in units of 2.5 standard deviations: 95 % of the efficiency
 // of least squares for Gaussian noise, and nothing left of what is 8 standard deviations away
 constexpr double residual_scale = 2.5;
@@ -58,36 +58,42 @@ inline double residual_spread(const Neighborhood& neighborhood, const Local_surf
   return 1.4826 * *median * std::sqrt(n / (std::max)(n - 5., 1.));
 }
 
-// Collects k neighbors of x, or more if the noise asks for a wider ball
-inline void collect_against_noise(const Surface_fit& fit, const Point& x, std::size_t& k,
-                                  Neighborhood& neighborhood)
+// Collects the neighbors of x that a fit needs: the k nearest for the smallest k, or all in the ball that
+// noise asks for. `expected_neighbors` is about how many points are in that ball, or 0 if not known.
+inline void collect_neighbors(const Surface_fit& fit, const Point& x,
+                              std::size_t expected_neighbors, Neighborhood& neighborhood)
 {
   const double wanted_radius = smallest_radius_in_noise * fit.noise;
+  const std::size_t smallest = (std::min)(smallest_neighborhood, fit.number_of_points);
   const std::size_t largest = (std::min)(largest_neighborhood, fit.number_of_points);
-  k = (std::min)((std::max)(smallest_neighborhood, k), largest);
-  neighborhood.collect(fit.search, x, k);
-  while (neighborhood.radius < wanted_radius && k < largest)
+  if (expected_neighbors <= smallest)
   {
-    // points on a surface grow with the square of the radius; 10 % more spare a second query
+    neighborhood.collect(fit.search, x, smallest);
+    if (neighborhood.radius >= wanted_radius || smallest == largest)
+      return;
+    // points on a surface grow with the square of the radius
     const double ratio = wanted_radius / (neighborhood.radius + 1e-300);
-    const double factor = (std::min)((std::max)(1.1 * ratio * ratio, 1.2), 4.);
-    k = (std::min)(largest, static_cast<std::size_t>(factor * static_cast<double>(k)) + 1);
-    neighborhood.collect(fit.search, x, k);
+    expected_neighbors =
+        static_cast<std::size_t>((std::min)(ratio * ratio * static_cast<double>(smallest), 1e9));
   }
+  if (expected_neighbors < 2 * largest)
+  {
+    neighborhood.collect_within(fit.search, x, wanted_radius);
+    if (neighborhood.size() >= smallest && neighborhood.size() <= largest)
+      return;
+  }
+  neighborhood.collect(fit.search, x, neighborhood.size() < smallest ? smallest : largest);
 }
 
-// Where the fit for a sample starts that is put on the input point x: with noise, the mean of the other
-// points around x. A point that is 3 sigma off the surface sees no layer, only points on one side that
-// spread about as far in height as in width; their mean is amid the layer, whichever its normal.
-inline Point start_on_surface(const Surface_fit& fit, const Point& x, std::size_t& k,
-                              Neighborhood& neighborhood)
+// Whether the ball is about as narrow as the noise allows
+inline bool is_noisy(const Surface_fit& fit, const Neighborhood& neighborhood)
 {
-  if (fit.noise == 0.)
-    return x;
-  collect_against_noise(fit, x, k, neighborhood);
-  if (!(neighborhood.radius > 0.))
-    return x;
-  neighborhood.weight_by_distance();
+  return neighborhood.radius <= 2. * smallest_radius_in_noise * fit.noise;
+}
+
+// The weighted mean of the neighbors other than the center itself
+inline Point mean_of_others(const Neighborhood& neighborhood)
+{
   Vector sum(0., 0., 0.);
   double weight = 0.;
   for (const Neighborhood::Neighbor& neighbor : neighborhood.neighbors)
@@ -96,7 +102,7 @@ inline Point start_on_surface(const Surface_fit& fit, const Point& x, std::size_
       sum = sum + neighbor.weight * neighbor.position;
       weight += neighbor.weight;
     }
-  return x + sum / weight;
+  return weight > 0. ? neighborhood.center + sum / weight : neighborhood.center;
 }
 
 // The narrowest surface that can be trusted, around the foot point of x: a quadric by iteratively
@@ -107,20 +113,25 @@ inline Local_surface fit_local_surface(const Surface_fit& fit, const Point& x, c
                                        std::size_t expected_neighbors, Neighborhood& neighborhood)
 {
   const bool has_guess = normal != NULL_VECTOR;
-  std::size_t k = expected_neighbors;
 
   Local_surface surface;
   surface.origin = x;
   if (has_guess)
     surface.n = normal;
-  else
-    surface.origin = start_on_surface(fit, x, k, neighborhood);
   surface.complete_frame();
+  collect_neighbors(fit, x, expected_neighbors, neighborhood);
+  if (fit.settings.start_amid_layer && !has_guess && is_noisy(fit, neighborhood))
+  {
+    // A point that is 3 sigma off the surface sees no layer, only points on one side that spread about
+    // as far in height as in width. Their mean is amid the layer, whatever its normal.
+    neighborhood.weight_by_distance();
+    surface.origin = mean_of_others(neighborhood);
+    collect_neighbors(fit, surface.origin, expected_neighbors, neighborhood);
+  }
   // A ball around a point off the surface holds more of the noise on its side: it is moved to the
   // foot point.
   for (int moves = 0;;)
   {
-    collect_against_noise(fit, surface.origin, k, neighborhood);
     if (!(neighborhood.radius > 0.))
       return surface;
 
@@ -137,7 +148,7 @@ inline Local_surface fit_local_surface(const Surface_fit& fit, const Point& x, c
     // neighbors decide, unless the ball is as narrow as the noise allows. Then all are needed to tell
     // the normal.
     weight_by_distance();
-    if (neighborhood.radius > 2. * smallest_radius_in_noise * fit.noise)
+    if (!is_noisy(fit, neighborhood))
       for (Neighborhood::Neighbor& neighbor : neighborhood.neighbors)
         neighbor.weight = neighbor.weight * neighbor.weight * neighbor.weight;
     if (!has_guess && moves == 0)
@@ -147,8 +158,8 @@ inline Local_surface fit_local_surface(const Surface_fit& fit, const Point& x, c
     }
     Local_surface fitted = surface;
     fitted.radius = neighborhood.radius;
-    fitted.neighbors = k;
-    bool success = fit_quadric(neighborhood, fit.noise, fitted, 3);
+    fitted.neighbors = expected_neighbors = neighborhood.size();
+    bool success = fit_plane(neighborhood, fitted);
     for (int round = 0; round < 2 && success; ++round)
     {
       fitted.spread = (std::max)(residual_spread(neighborhood, fitted), fit.noise);
@@ -163,23 +174,24 @@ inline Local_surface fit_local_surface(const Surface_fit& fit, const Point& x, c
       return surface;
     const double distance = std::abs(fitted.c[0]);
     fitted.move_to_foot_point();
-    if (!(fit.noise > 0. && distance > 0.5 * fit.noise && moves < fit.settings.moves_to_foot_point))
+    if (!(distance > 0.5 * fit.noise && moves < fit.settings.moves_to_foot_point))
       return fitted;
     ++moves;
     surface.origin = fitted.origin;
     surface.n = fitted.n;
     surface.complete_frame();
+    collect_neighbors(fit, surface.origin, expected_neighbors, neighborhood);
   }
 }
 
-// The surface from the k nearest points, more than `surface` was fitted to; false if that does not
+// The surface from a wider ball than `surface` was fitted to, taken from `wide`; false if that does not
 // reduce its error. The narrower one tells by the height which points belong
 // to the same sheet, with a tolerance that grows outwards as its own uncertainty does. Distances
 // count in the tangent plane: in a ball, the noise of a neighbor would decide over its weight.
-inline bool widen(const Surface_fit& fit, std::size_t k, Neighborhood& neighborhood,
-                  Local_surface& surface)
+inline bool widen(const Surface_fit& fit, const Neighborhood& wide, double radius,
+                  Neighborhood& neighborhood, Local_surface& surface)
 {
-  neighborhood.collect(fit.search, surface.origin, (std::min)(k, fit.number_of_points));
+  neighborhood.take_within(wide, surface.origin, radius);
   neighborhood.weight_by_distance(
       [&](const Neighborhood::Neighbor& neighbor)
       {
@@ -194,7 +206,7 @@ inline bool widen(const Surface_fit& fit, std::size_t k, Neighborhood& neighborh
   }
   Local_surface wider = surface;
   wider.radius = neighborhood.radius;
-  wider.neighbors = k;
+  wider.neighbors = neighborhood.size();
   if (!fit_quadric(neighborhood, fit.noise, wider) || !(wider.error < surface.error))
     return false;
   wider.move_to_foot_point();

@@ -44,28 +44,28 @@ inline Vector plane_normal(const Neighborhood& neighborhood)
   return length > 0.5 ? Vector(n.x() / length, n.y() / length, n.z() / length) : Vector(0., 0., 1.);
 }
 
-// The quadric with the least squared heights of the weighted neighbors, in the frame of `surface`;
-// with 3 `coefficients` instead of 6, the plane. Its `error` is what noise of standard deviation `noise` makes of c0. Returns false if it fails.
-inline bool fit_quadric(const Neighborhood& neighborhood, double noise, Local_surface& surface,
-                        int coefficients = 6)
+// The quadric with the least squared heights of the weighted neighbors, in the frame of `surface`. Its
+// `error` is what noise of standard deviation `noise` makes of c0. Returns false if it fails.
+inline bool fit_quadric(const Neighborhood& neighborhood, double noise, Local_surface& surface)
 {
   // in the unit of the radius, so that all entries of the matrix are of one size
   using Matrix = Eigen::Matrix<double, 6, 6>;
   using Column = Eigen::Matrix<double, 6, 1>;
   const double unit = neighborhood.radius;
-  Matrix matrix = Matrix::Zero();
-  Column right = Column::Zero();
+  const double scale = 1. / unit;
+  Matrix matrix = Matrix::Zero(); // sum of w b b' for the basis b
+  Column right = Column::Zero();  // sum of w h b
   double sum = 0., sum_of_squares = 0.;
   for (const Neighborhood::Neighbor& neighbor : neighborhood.neighbors)
   {
     const double w = neighbor.weight;
-    const double a = neighbor.position * surface.u / unit;
-    const double b = neighbor.position * surface.v / unit;
-    const double h = neighbor.position * surface.n / unit;
-    Column basis;
-    basis << 1., a, b, a * a, a * b, b * b;
-    matrix.selfadjointView<Eigen::Lower>().rankUpdate(basis, w);
-    right += w * h * basis;
+    const double a = scale * (neighbor.position * surface.u);
+    const double b = scale * (neighbor.position * surface.v);
+    const double h = scale * (neighbor.position * surface.n);
+    const Column basis = (Column() << 1., a, b, a * a, a * b, b * b).finished();
+    const Column weighted = w * basis;
+    matrix.noalias() += weighted * basis.transpose();
+    right += h * weighted;
     sum += w;
     sum_of_squares += w * w;
   }
@@ -77,22 +77,45 @@ inline bool fit_quadric(const Neighborhood& neighborhood, double noise, Local_su
   for (int i = 1; i < 6; ++i)
     matrix(i, i) += (i < 3 ? 1e-9 : 1e-5) * sum;
 
-  if (coefficients < 6)
-  { // the others are 0
-    matrix.bottomRows<3>().setZero();
-    matrix.bottomRightCorner<3, 3>().setIdentity();
-    right.tail<3>().setZero();
-  }
-  const Eigen::LDLT<Matrix> solver(matrix.selfadjointView<Eigen::Lower>());
+  const Eigen::LDLT<Matrix> solver(matrix);
   const Column c = solver.solve(right);
   const double influence = noise > 0. ? solver.solve(Column::Unit(0))(0) : 0.;
   if (!c.allFinite() || !std::isfinite(influence))
     return false;
   for (int i = 0; i < 6; ++i)
-    surface.c[i] = c(i) * (i == 0 ? unit : i < 3 ? 1. : 1. / unit);
+    surface.c[i] = c(i) * (i == 0 ? unit : i < 3 ? 1. : scale);
   // var(c0) = sigma^2 (A^-1 B A^-1)_00 with A = sum w b b', B = sum w^2 b b', taken as A times the
   // mean weight
   surface.error = noise * std::sqrt((std::max)(influence, 0.) * sum_of_squares / sum);
+  return true;
+}
+
+// The plane with the least squared heights of the weighted neighbors
+inline bool fit_plane(const Neighborhood& neighborhood, Local_surface& surface)
+{
+  const double scale = 1. / neighborhood.radius;
+  Eigen::Matrix3d matrix = Eigen::Matrix3d::Zero();
+  Eigen::Vector3d right = Eigen::Vector3d::Zero();
+  for (const Neighborhood::Neighbor& neighbor : neighborhood.neighbors)
+  {
+    const Eigen::Vector3d basis(1., scale * (neighbor.position * surface.u),
+                                scale * (neighbor.position * surface.v));
+    const Eigen::Vector3d weighted = neighbor.weight * basis;
+    matrix.noalias() += weighted * basis.transpose();
+    right += (neighbor.position * surface.n) * weighted;
+  }
+  const double sum = matrix(0, 0);
+  if (!(sum > 0.))
+    return false;
+  matrix(1, 1) += 1e-9 * sum; // as above
+  matrix(2, 2) += 1e-9 * sum;
+  const Eigen::Vector3d c = matrix.ldlt().solve(right);
+  if (!c.allFinite())
+    return false;
+  std::fill(surface.c, surface.c + 6, 0.);
+  surface.c[0] = c(0);
+  surface.c[1] = scale * c(1);
+  surface.c[2] = scale * c(2);
   return true;
 }
 

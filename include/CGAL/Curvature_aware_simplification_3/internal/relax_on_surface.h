@@ -7,6 +7,7 @@
 #define CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_RELAX_ON_SURFACE_H
 
 #include <CGAL/Curvature_aware_simplification_3/internal/Progress.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/Sample_neighbors.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Surface_border.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/fit_local_surface.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/loops.h>
@@ -53,95 +54,140 @@ struct Surface_sample
 // Second term of eq. 8 in the tangent plane of the sample: the mean of (x - x_i) with the weights
 // beta_i phi_2.
 //
-// Distances are measured in spacings, rho = |x - x_i| / s. phi_2 = s_i^2: where n phi_2 is the same
-// everywhere, the forces balance, so the density n of the samples tends to what is wanted, 1 / s^2;
-// it falls with the curvature as in eq. 3 and 4.
-inline Vector tangential_repulsion(const std::vector<Surface_sample>& samples,
-                                   const Neighbor_search& search, std::size_t sample,
-                                   const Adaptive_settings& settings)
+// Distances are measured in spacings, rho = |x - x_i| / s. theta = (1 - rho^2 / 4)^6 is close to
+// exp(-1.5 rho^2), that of the paper for h = 3.3 spacings, and ends at two spacings, the second ring.
+// phi_2 = s_i^2: where n phi_2 is the same everywhere, the forces balance, so the density n of the
+// samples tends to what is wanted, 1 / s^2; it falls with the curvature as in eq. 3 and 4.
+template <typename Neighbors>
+Vector tangential_repulsion(const Surface_sample& x, const Neighbors& neighbors,
+                            const std::vector<Point>& points, const std::vector<double>& spacings,
+                            const Adaptive_settings& settings)
 {
-  constexpr double reach = 2.; // in spacings, where theta has fallen to 0.0025: two rings
-  const Surface_sample& x = samples[sample];
   const double inverse = 1. / (x.spacing * x.spacing);
+  const double inverse_reach = 1. / (settings.reach_of_repulsion * settings.reach_of_repulsion);
   Vector sum(0., 0., 0.);
   double weight = 0.;
-  search.for_each_within(x.point, reach * x.spacing,
-                         [&](std::size_t i, const Point& x_i, double squared_distance)
-                         {
-    if (squared_distance == 0.) // itself; of others, no direction leads away
-      return;
-    const Vector d = x.point - x_i;
+  for (std::size_t i : neighbors)
+  {
+    const Vector d = x.point - points[i];
     const double h = d * x.normal;
     const Vector t = d - h * x.normal;
     const double rho2 = (t.squared_length() + settings.weight_of_height * h * h) * inverse;
-    const double phi = samples[i].spacing * samples[i].spacing * inverse;
-    const double beta = std::exp(-settings.sharpness_of_repulsion * rho2) / std::sqrt(rho2) * phi;
+    const double base = 1. - inverse_reach * rho2;
+    if (!(base > 0. && rho2 > 0.)) // of a sample at the same place, no direction leads away
+      continue;
+    const double theta = base * base * base * base * base * base;
+    const double phi = spacings[i] * spacings[i] * inverse;
+    const double beta = theta / std::sqrt(rho2) * phi;
     sum = sum + beta * t;
     weight += beta;
-  });
+  }
   return weight > 0. ? sum / weight : Vector(0., 0., 0.);
 }
 
-// One iteration for all samples at once. The first term of eq. 8, which draws samples to the input,
-// has become the surface that each sample moves on: it is exact to third order, where a mean is to
-// first, and is fitted again when the sample leaves the part that it was fitted to.
-template <typename ConcurrencyTag>
-std::vector<Surface_sample> relax_on_surface(const std::vector<Surface_sample>& samples,
-                                             const Surface_fit& fit, double repulsion_weight,
-                                             const Progress& progress)
+// One iteration for one sample. The first term of eq. 8, which draws samples to the input, has become
+// the surface that each sample moves on: it is exact to third order, where a mean is to first, and is
+// fitted again when the sample leaves the part that it was fitted to.
+inline void move_on_surface(Surface_sample& x, Vector step, const Surface_fit& fit)
 {
   constexpr double trusted = 0.7; // of the radius of a fit: half of its area
-  std::vector<Point> points(samples.size());
-  for (std::size_t i = 0; i < samples.size(); ++i)
-    points[i] = samples[i].point;
-  const Neighbor_search search(points, ConcurrencyTag());
-
-  std::vector<Surface_sample> moved = samples;
-  for_each_index<ConcurrencyTag>(samples.size(), progress,
-                                 [&](std::size_t i)
-                                 {
-    Surface_sample& x = moved[i];
-    Vector step = repulsion_weight * tangential_repulsion(samples, search, i, fit.settings);
-    const double length = std::sqrt(step.squared_length());
-    if (length > 0.5 * x.spacing) // further, and neighbors could pass each other
-      step = step * (0.5 * x.spacing / length);
-    double a = x.a + step * x.surface.u, b = x.b + step * x.surface.v;
-    x.border.restrict(a, b);
-    const double distance = std::sqrt(a * a + b * b);
-    if (distance <= trusted * x.surface.radius)
-    {
-      x.move_to(a, b);
-      return;
-    }
-    // beyond the fit, it is followed for half its radius at most
-    const double part = (std::min)(1., 1.5 * x.surface.radius / distance);
-    x.place(fit, x.surface.point(part * a, part * b), x.surface.normal(part * a, part * b));
-  });
-  return moved;
+  const double length = std::sqrt(step.squared_length());
+  if (length > 0.5 * x.spacing) // further, and neighbors could pass each other
+    step = step * (0.5 * x.spacing / length);
+  double a = x.a + step * x.surface.u, b = x.b + step * x.surface.v;
+  x.border.restrict(a, b);
+  const double distance = std::sqrt(a * a + b * b);
+  if (distance <= trusted * x.surface.radius)
+  {
+    x.move_to(a, b);
+    return;
+  }
+  // beyond the fit, it is followed for half its radius at most
+  const double part = (std::min)(1., 1.5 * x.surface.radius / distance);
+  x.place(fit, x.surface.point(part * a, part * b), x.surface.normal(part * a, part * b));
 }
 
 // The wanted spacings as the mean over a sample and its 8 nearest, in logarithms: what one ball
 // measures is rough, and samples can only follow what varies slowly.
 template <typename ConcurrencyTag>
-void smooth_spacings(std::vector<Surface_sample>& samples)
+void smooth_spacings(const Sample_neighbors& neighbors, std::vector<double>& spacings)
 {
+  constexpr std::size_t nearest = 8;
+  std::vector<double> logarithm(spacings.size());
+  for_each_index<ConcurrencyTag>(0, spacings.size(),
+                                 [&](std::size_t i) { logarithm[i] = std::log(spacings[i]); });
+  for_each_index<ConcurrencyTag>(0, spacings.size(),
+                                 [&](std::size_t i)
+                                 {
+    double sum = logarithm[i], number = 1.;
+    for (std::size_t j : neighbors.of(i))
+    {
+      if (number > nearest)
+        break;
+      sum += logarithm[j];
+      number += 1.;
+    }
+    spacings[i] = std::exp(sum / number);
+  });
+}
+
+// Iterations of eq. 8 until the samples rest, at most `number_of_iterations`
+template <typename ConcurrencyTag>
+void relax_on_surface(std::vector<Surface_sample>& samples, const Surface_fit& fit,
+                      std::size_t number_of_iterations, double repulsion_weight,
+                      const Progress& progress)
+{
+  // Means over all samples of how far they move, in spacings. Half of the samples move less than the
+  // mean, one in a hundred more than 4 times as far: neighbors are searched again before the latter
+  // use up what their lists have to spare.
+  constexpr double far_enough_to_search = 0.15;
+  // below which the distribution does not change any more: 1 % of what the first iteration moves
+  constexpr double at_rest = 0.001;
+
   std::vector<Point> points(samples.size());
-  for (std::size_t i = 0; i < samples.size(); ++i)
-    points[i] = samples[i].point;
-  const Neighbor_search search(points, ConcurrencyTag());
-  const std::size_t k = (std::min)(std::size_t(9), samples.size());
-  std::vector<double> smooth(samples.size());
+  std::vector<double> spacings(samples.size());
   for_each_index<ConcurrencyTag>(0, samples.size(),
                                  [&](std::size_t i)
                                  {
-    double sum = 0.;
-    search.for_each_nearest(points[i], k,
-                            [&](std::size_t j, const Point&, double)
-                            { sum += std::log(samples[j].spacing); });
-    smooth[i] = std::exp(sum / static_cast<double>(k));
+    points[i] = samples[i].point;
+    spacings[i] = samples[i].spacing;
   });
-  for (std::size_t i = 0; i < samples.size(); ++i)
-    samples[i].spacing = smooth[i];
+  Sample_neighbors neighbors;
+  neighbors.search(points, ConcurrencyTag());
+  if (fit.settings.smooth_spacings)
+    smooth_spacings<ConcurrencyTag>(neighbors, spacings);
+
+  double moved_since_search = 0.;
+  std::vector<double> moved(samples.size());
+  for (std::size_t iteration = 0; iteration < number_of_iterations; ++iteration)
+  {
+    if (moved_since_search > far_enough_to_search)
+    {
+      neighbors.search(points, ConcurrencyTag());
+      moved_since_search = 0.;
+    }
+    const double iterations = static_cast<double>(number_of_iterations);
+    const Progress iteration_progress =
+        progress.part(static_cast<double>(iteration) / iterations,
+                      static_cast<double>(iteration + 1) / iterations);
+    for_each_index<ConcurrencyTag>(samples.size(), iteration_progress,
+                                   [&](std::size_t i)
+                                   {
+      Surface_sample& x = samples[i];
+      x.spacing = spacings[i];
+      const Vector step = repulsion_weight *
+                          tangential_repulsion(x, neighbors.of(i), points, spacings, fit.settings);
+      move_on_surface(x, step, fit);
+      moved[i] = std::sqrt(squared_distance(x.point, points[i])) / x.spacing;
+    });
+    for_each_index<ConcurrencyTag>(0, samples.size(),
+                                   [&](std::size_t i) { points[i] = samples[i].point; });
+    const double mean_move =
+        mean<ConcurrencyTag>(moved.size(), [&](std::size_t i) { return moved[i]; });
+    if (mean_move < at_rest)
+      break;
+    moved_since_search += mean_move;
+  }
 }
 
 } // namespace internal

@@ -104,15 +104,8 @@ Distinct_samples simplify_adaptively(const Cloud& cloud, const Neighbor_search& 
     samples[i].spacing = lattice_spacing(wanted.density[j]);
     samples[i].place(fit, input.points[j], NULL_VECTOR);
   });
-  if (settings.smooth_spacings)
-    smooth_spacings<ConcurrencyTag>(samples);
-  const Progress relaxation_progress = progress.part(0.4, 0.8);
-  const double iterations = static_cast<double>(parameters.number_of_iterations);
-  for (std::size_t i = 0; i < parameters.number_of_iterations; ++i)
-    samples = relax_on_surface<ConcurrencyTag>(
-        samples, fit, parameters.repulsion_weight,
-        relaxation_progress.part(static_cast<double>(i) / iterations,
-                                 static_cast<double>(i + 1) / iterations));
+  relax_on_surface<ConcurrencyTag>(samples, fit, parameters.number_of_iterations,
+                                   parameters.repulsion_weight, progress.part(0.4, 0.8));
   report.relaxation_time = stopwatch.lap();
 
   // The final fit. Where the narrowest has an error of sigma / 2, larger ones are worth their time

@@ -1,0 +1,76 @@
+// Copyright (c) 2026 The authors of Curvature_aware_simplification_3.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_SAMPLE_NEIGHBORS_H
+#define CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_SAMPLE_NEIGHBORS_H
+
+#include <CGAL/Curvature_aware_simplification_3/internal/Neighbor_search.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/loops.h>
+
+#include <CGAL/Iterator_range.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Curvature_aware_simplification_3 {
+namespace internal {
+
+// The nearest other samples of each sample, in increasing distance. They are kept while samples move
+// little, as in the neighbor lists of molecular dynamics: to search anew in each iteration would take
+// most of its time.
+class Sample_neighbors
+{
+public:
+  // 24 samples of a hexagonal lattice reach 2.6 spacings far. The repulsion reaches 2, so that two
+  // samples may approach each other by 0.6 before they miss each other.
+  static constexpr std::size_t most = 24;
+
+  template <typename ConcurrencyTag>
+  void search(const std::vector<Point>& samples, const ConcurrencyTag& tag)
+  {
+    const Neighbor_search neighbor_search(samples, tag);
+    const std::size_t n = samples.size();
+    m_number = (std::min)(most, n - 1);
+    m_indices.resize(n * m_number);
+    for_each_index<ConcurrencyTag>(0, n,
+                                   [&](std::size_t i)
+                                   {
+      std::array<Neighbor, most + 1> found;
+      std::size_t number = 0;
+      neighbor_search.for_each_nearest(samples[i], m_number + 1,
+                                       [&](std::size_t j, const Point&, double squared_distance)
+                                       {
+        if (j != i)
+          found[number++] = {squared_distance, j};
+      });
+      // where more than that many coincide, the sample may not be among its nearest
+      std::sort(found.begin(), found.begin() + static_cast<std::ptrdiff_t>(number));
+      for (std::size_t m = 0; m < m_number; ++m)
+        m_indices[i * m_number + m] = found[m].second;
+    });
+  }
+
+  Iterator_range<const std::size_t*> of(std::size_t sample) const
+  {
+    const std::size_t* first = m_indices.data() + sample * m_number;
+    return make_range(first, first + m_number);
+  }
+
+private:
+  using Neighbor = std::pair<double, std::size_t>;
+
+  std::size_t m_number = 0; // for each sample
+  std::vector<std::size_t> m_indices;
+};
+
+} // namespace internal
+} // namespace Curvature_aware_simplification_3
+} // namespace CGAL
+
+#endif // CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_SAMPLE_NEIGHBORS_H
