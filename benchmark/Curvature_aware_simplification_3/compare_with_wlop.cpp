@@ -10,6 +10,7 @@
 #include <CGAL/Real_timer.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/curvature_aware_simplify_point_set.h>
+#include <CGAL/pca_estimate_normals.h>
 #include <CGAL/wlop_simplify_and_regularize_point_set.h>
 
 #include <algorithm>
@@ -84,7 +85,20 @@ int main(int argc, char* argv[])
       return output;
         };
   };
+  // the unit of time: it returns no points
+  const auto pca = [](const std::vector<Point>& input)
+  {
+    std::vector<std::pair<Point, Kernel::Vector_3>> points_with_normals;
+    for (const Point& p : input)
+      points_with_normals.emplace_back(p, CGAL::NULL_VECTOR);
+    using Element = std::pair<Point, Kernel::Vector_3>;
+    CGAL::pca_estimate_normals<Tag>(points_with_normals, 16,
+                                    np::point_map(CGAL::First_of_pair_property_map<Element>())
+                                        .normal_map(CGAL::Second_of_pair_property_map<Element>()));
+    return std::vector<Point>();
+  };
   std::vector<Method> methods = {
+      {"CGAL pca_estimate_normals, k = 16", pca},
       {"this package, defaults", ours(np::random_seed(0))},
       {"this package, settings of the paper",
        ours(np::settings_of_the_paper(true).neighbor_radius(paper_radius))},
@@ -103,8 +117,8 @@ int main(int argc, char* argv[])
 
   std::printf("%s: %zu -> %zu points, radius of the paper 4 D / sqrt(M) = %.4g D, %zu rounds\n",
               argv[1], points.size(), n, paper_radius / diagonal, rounds);
-  std::printf("%-46s %7s %12s %12s %9s\n", "method", "points", "mean dist./D", "max dist./D",
-              "median s");
+  std::printf("%-46s %7s %12s %12s %9s %9s\n", "method", "points", "mean dist./D", "max dist./D",
+              "median s", "ratio");
   for (Method& method : methods)
   {
     double sum = 0., largest = 0.;
@@ -114,10 +128,17 @@ int main(int argc, char* argv[])
       sum += distance;
       largest = std::max(largest, distance);
     }
-    std::sort(method.times.begin(), method.times.end());
-    std::printf("%-46s %7zu %12.3g %12.3g %9.3f\n", method.name.c_str(), method.output.size(),
-                sum / static_cast<double>(method.output.size()), largest,
-                method.times[method.times.size() / 2]);
+    const auto median = [](std::vector<double> values)
+    {
+      std::sort(values.begin(), values.end());
+      return values[values.size() / 2];
+    };
+    std::vector<double> ratios; // of times of the same round
+    for (std::size_t round = 0; round < rounds; ++round)
+      ratios.push_back(method.times[round] / methods.front().times[round]);
+    const double number = static_cast<double>((std::max)(method.output.size(), std::size_t(1)));
+    std::printf("%-46s %7zu %12.3g %12.3g %9.3f %9.2f\n", method.name.c_str(), method.output.size(),
+                sum / number, largest, median(method.times), median(ratios));
   }
   return EXIT_SUCCESS;
 }

@@ -22,6 +22,8 @@
 #include <algorithm>
 #include <cstddef>
 #include <functional>
+#include <memory>
+#include <utility>
 
 namespace CGAL {
 
@@ -48,23 +50,15 @@ OutputIterator simplify_point_set(const PointRange& points, OutputIterator outpu
 
   try
   {
-    const Cloud cloud = make_cloud<ConcurrencyTag>(
+    Cloud cloud = make_cloud<ConcurrencyTag>(
         read_coordinates(points, Types::NP_helper::get_const_point_map(points, np)),
         relative_rounding_error<FT>());
-    const Neighbor_search search(cloud.points, ConcurrencyTag());
+    std::unique_ptr<Neighbor_search> search(new Neighbor_search(cloud.points, ConcurrencyTag()));
     report.sorting_time = stopwatch.lap();
 
-    const Features features = compute_features<ConcurrencyTag, Diagonalize_traits>(
-        cloud, search, parameters.number_of_neighbors, progress.part(0., 0.4));
+    Features features = compute_features<ConcurrencyTag, Diagonalize_traits>(
+        cloud, *search, parameters.number_of_neighbors, progress.part(0., 0.4));
     report.features_time = stopwatch.lap();
-
-    const Progress simplification_progress = progress.part(0.4, 1.);
-    const Distinct_samples samples =
-        parameters.settings_of_the_paper
-            ? simplify_as_in_the_paper<ConcurrencyTag, Diagonalize_traits>(
-                  cloud, search, features, parameters, simplification_progress, report)
-            : simplify_adaptively<ConcurrencyTag>(cloud, search, features, parameters, settings,
-                                                  simplification_progress, report);
 
     report.number_of_input_points = cloud.input_size();
     report.number_of_distinct_points = cloud.size();
@@ -72,12 +66,22 @@ OutputIterator simplify_point_set(const PointRange& points, OutputIterator outpu
     report.maximum_surface_variation =
         *std::max_element(features.curvature.begin(), features.curvature.end());
 
+    const Frame frame = cloud.frame;
+    const Progress simplification_progress = progress.part(0.4, 1.);
+    const Distinct_samples samples =
+        parameters.settings_of_the_paper
+            ? simplify_as_in_the_paper<ConcurrencyTag, Diagonalize_traits>(
+                  cloud, *search, features, parameters, simplification_progress, report)
+            : simplify_adaptively<ConcurrencyTag>(std::move(cloud), std::move(search),
+                                                  std::move(features), parameters, settings,
+                                                  simplification_progress, report);
+
     progress.report(1.);
     choose_parameter(get_parameter(np, internal_np::simplification_report), std::ref(report))
         .get() = report;
     for (std::size_t i = 0; i < samples.points.size(); ++i)
     {
-      const Point p = cloud.frame.from_frame(samples.points[i]);
+      const Point p = frame.from_frame(samples.points[i]);
       for (std::size_t copy = 0; copy < samples.copies[i]; ++copy)
         *output++ = typename Geom_traits::Point_3(static_cast<FT>(p.x()), static_cast<FT>(p.y()),
                                                   static_cast<FT>(p.z()));

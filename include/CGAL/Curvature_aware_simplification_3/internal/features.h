@@ -123,9 +123,10 @@ Features compute_features(const Cloud& cloud, const Neighbor_search& search,
     features.curvature[i] = local.curvature;
     features.inverse_density[i] = local.inverse_density;
   });
-  for (std::size_t i = 0; i < n; ++i)
-    features.votes[i] = votes[i].load(std::memory_order_relaxed) - 1; // not its own
-
+  for_each_index<ConcurrencyTag>(0, n,
+                                 [&](std::size_t i) { // not its own
+    features.votes[i] = votes[i].load(std::memory_order_relaxed) - 1;
+  });
   return features;
 }
 

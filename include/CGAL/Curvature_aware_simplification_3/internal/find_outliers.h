@@ -38,26 +38,32 @@ std::vector<std::uint8_t> find_outliers(const Cloud& cloud, const Neighbor_searc
   constexpr double far_radius = 3.;
 
   const std::size_t n = cloud.size();
-  std::vector<double> area = features.inverse_density;
-  const auto median = area.begin() + static_cast<std::ptrdiff_t>(n / 2);
+  // the median of some points, evenly along the curve: it need not be exact
+  const std::size_t number_of_probes = (std::min)(std::size_t(10000), n);
+  std::vector<double> area(number_of_probes);
+  for (std::size_t i = 0; i < number_of_probes; ++i)
+    area[i] = features.inverse_density[i * n / number_of_probes];
+  const auto median = area.begin() + static_cast<std::ptrdiff_t>(number_of_probes / 2);
   std::nth_element(area.begin(), median, area.end());
   const double far_area = far_radius * far_radius * *median;
 
   std::vector<std::uint8_t> is_outlier(n, 0);
   std::vector<std::atomic<std::uint32_t>> votes(n); // sums of integers: the order does not matter
-  std::vector<std::size_t> found;
   // A quarter of the votes: a corner of an open surface, the least that a surface has, gets a half.
   const std::size_t few_votes = k / 4;
-  for (std::size_t i = 0; i < n; ++i)
-  {
+  for_each_index<ConcurrencyTag>(0, n,
+                                 [&](std::size_t i)
+                                 {
     votes[i].store(features.votes[i], std::memory_order_relaxed);
-    if (features.votes[i] < few_votes ||
-        (features.inverse_density[i] > far_area && features.curvature[i] > volumetric))
-    {
-      is_outlier[i] = 1;
+    is_outlier[i] = features.votes[i] < few_votes || (features.inverse_density[i] > far_area &&
+                                                      features.curvature[i] > volumetric)
+                        ? 1
+                        : 0;
+  });
+  std::vector<std::size_t> found;
+  for (std::size_t i = 0; i < n; ++i)
+    if (is_outlier[i])
       found.push_back(i);
-    }
-  }
   // Where there are more than a few outliers, half of the votes are asked for: it costs some points of
   // borders, and finds nearly all outliers that are farther off than the input's spacing.
   const std::size_t needed_votes = found.size() > n / 1000 ? k / 2 : few_votes;

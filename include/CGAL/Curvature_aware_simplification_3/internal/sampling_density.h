@@ -31,7 +31,7 @@ namespace internal {
 struct Sampling_density
 {
   std::vector<double> density; // their integral over the surface is N
-  std::vector<double> area;    // of the surface, that an input point stands for
+  std::vector<double> weight;  // density times the area of the surface that the point stands for
   double mean_spacing;
 };
 
@@ -80,7 +80,7 @@ inline Deviation deviation_from_plane(const Neighbor_search& search, const Point
 // lambda_0, sigma^2 is taken off for the noise. Balls are no smaller than 3 sigma.
 template <typename ConcurrencyTag>
 Sampling_density sampling_density(const std::vector<Point>& points, const Neighbor_search& search,
-                                  const std::vector<double>& area_of_point,
+                                  const std::vector<double>& inverse_density,
                                   std::size_t number_of_samples, double alpha, double noise,
                                   const Adaptive_settings& settings, const Progress& progress)
 {
@@ -92,7 +92,7 @@ Sampling_density sampling_density(const std::vector<Point>& points, const Neighb
   const std::size_t n = points.size();
   const double number = static_cast<double>(number_of_samples);
   const double total_area = reduce_indices<ConcurrencyTag>(
-      n, 0., [&](std::size_t i) { return area_of_point[i]; }, std::plus<double>());
+      n, 0., [&](std::size_t i) { return CGAL_PI * inverse_density[i]; }, std::plus<double>());
   const double spacing = lattice_spacing(number / total_area);
   const double radius = (std::max)(settings.curvature_radius * spacing, 3. * noise);
 
@@ -119,7 +119,7 @@ Sampling_density sampling_density(const std::vector<Point>& points, const Neighb
                                  [&](std::size_t i)
                                  {
     for (std::size_t j = begin(i); j < begin(i + 1); ++j)
-      range_area[i] += area_of_point[j];
+      range_area[i] += CGAL_PI * inverse_density[j];
     const double size = static_cast<double>(begin(i + 1) - begin(i));
     const double points_in_ball =
         CGAL_PI * radius * radius * size / (range_area[i] * static_cast<double>(step));
@@ -178,7 +178,7 @@ Sampling_density sampling_density(const std::vector<Point>& points, const Neighb
     for (std::size_t j = begin(i); j < begin(i + 1); ++j)
     {
       result.density[j] = range_density[i] * factor;
-      result.area[j] = area[i];
+      result.weight[j] = result.density[j] * area[i];
     }
   });
   return result;
