@@ -14,11 +14,27 @@
 #include <atomic>
 #include <cstddef>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace Curvature_aware_simplification_3 {
 namespace internal {
+
+// Marks those that have less votes than needed, and returns them.
+inline std::vector<std::size_t>
+mark_those_with_less_votes(const std::vector<std::atomic<std::uint32_t>>& votes,
+                           std::size_t needed_votes, std::vector<std::uint8_t>& is_outlier)
+{
+  std::vector<std::size_t> found;
+  for (std::size_t i = 0; i < votes.size(); ++i)
+    if (!is_outlier[i] && votes[i].load(std::memory_order_relaxed) < needed_votes)
+    {
+      is_outlier[i] = 1;
+      found.push_back(i);
+    }
+  return found;
+}
 
 // Which points do not belong to a surface: 1 for outliers. O(n + (k + log n) outliers)
 //
@@ -60,30 +76,32 @@ std::vector<std::uint8_t> find_outliers(const Cloud& cloud, const Neighbor_searc
                         ? 1
                         : 0;
   });
+  // Outliers found take their votes back, until that uncovers no more.
+  const auto take_votes_back = [&](std::vector<std::size_t> found)
+  {
+    while (!found.empty())
+    {
+      for_each_index<ConcurrencyTag>(0, found.size(),
+                                     [&](std::size_t i)
+                                     {
+        search.for_each_nearest(cloud.points[found[i]], k + 1,
+                                [&](std::size_t j, const Point&, double)
+                                { votes[j].fetch_sub(1, std::memory_order_relaxed); });
+      });
+      found = mark_those_with_less_votes(votes, few_votes, is_outlier);
+    }
+  };
   std::vector<std::size_t> found;
   for (std::size_t i = 0; i < n; ++i)
     if (is_outlier[i])
       found.push_back(i);
-  // Where there are more than a few outliers, half of the votes are asked for: it costs some points of
-  // borders, and finds nearly all outliers that are farther off than the input's spacing.
-  const std::size_t needed_votes = found.size() > n / 1000 ? k / 2 : few_votes;
-  while (!found.empty())
-  {
-    for_each_index<ConcurrencyTag>(0, found.size(),
-                                   [&](std::size_t i)
-                                   {
-      search.for_each_nearest(cloud.points[found[i]], k + 1,
-                              [&](std::size_t j, const Point&, double)
-                              { votes[j].fetch_sub(1, std::memory_order_relaxed); });
-    });
-    found.clear();
-    for (std::size_t i = 0; i < n; ++i)
-      if (!is_outlier[i] && votes[i].load(std::memory_order_relaxed) < needed_votes)
-      {
-        is_outlier[i] = 1;
-        found.push_back(i);
-      }
-  }
+  // Where there are more than a few outliers, some hide near the surface, between its corners' votes
+  // and those of points farther off: a second look asks for half of the votes. Only once, because a
+  // border has little more than half; asked again and again, border after border would go.
+  const bool are_many = found.size() > n / 1000;
+  take_votes_back(std::move(found));
+  if (are_many)
+    take_votes_back(mark_those_with_less_votes(votes, k / 2, is_outlier));
   return is_outlier;
 }
 
