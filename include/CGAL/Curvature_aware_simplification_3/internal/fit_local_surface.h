@@ -37,10 +37,13 @@ constexpr double smallest_radius_in_noise = 7.;
 // Welsch's weight exp(-e^2 / 2) with e in units of 2.5 standard deviations: 95 % of the efficiency
 // of least squares for Gaussian noise, and nothing left of what is 8 standard deviations away
 constexpr double residual_scale = 2.5;
+// 2 standard deviations where a fit is widened: what it meets there may be another sheet, and nothing
+// is left of that if it is 6 away
+constexpr double residual_scale_of_wider = 2.;
 
-inline double robust_weight(double residual, double spread)
+inline double robust_weight(double residual, double spread, double scale = residual_scale)
 {
-  const double e = residual / (residual_scale * spread);
+  const double e = residual / (scale * spread);
   return std::exp(-0.5 * e * e);
 }
 
@@ -185,8 +188,7 @@ inline Local_surface fit_local_surface(const Surface_fit& fit, const Point& x, c
 }
 
 // The surface from a wider ball than `surface` was fitted to, taken from `wide`; false if that does not
-// reduce its error. The narrower one tells by the height which points belong
-// to the same sheet, with a tolerance that grows outwards as its own uncertainty does. Distances
+// reduce its error. The narrower one tells by the height which points belong to the same sheet. Distances
 // count in the tangent plane: in a ball, the noise of a neighbor would decide over its weight.
 inline bool widen(const Surface_fit& fit, const Neighborhood& wide, double radius,
                   Neighborhood& neighborhood, Local_surface& surface)
@@ -199,11 +201,8 @@ inline bool widen(const Surface_fit& fit, const Neighborhood& wide, double radiu
     return neighbor.squared_distance - h * h;
   });
   for (Neighborhood::Neighbor& neighbor : neighborhood.neighbors)
-  {
-    const double r2 = neighbor.squared_distance / (surface.radius * surface.radius);
     neighbor.weight *=
-        robust_weight(surface.residual(neighbor.position), surface.spread * (1. + 0.5 * r2));
-  }
+        robust_weight(surface.residual(neighbor.position), surface.spread, residual_scale_of_wider);
   Local_surface wider = surface;
   wider.radius = neighborhood.radius;
   wider.neighbors = neighborhood.size();
