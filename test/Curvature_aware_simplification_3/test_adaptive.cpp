@@ -688,6 +688,16 @@ TEST(Adaptive, does_not_mix_the_sides_of_a_noisy_plate)
   EXPECT_LT(distances / inner, 0.2 * sigma);
 }
 
+TEST(Adaptive, relaxation_ends_when_the_samples_rest)
+{
+  const std::vector<Point> points = surfaces::torus(20000, 3., 1., 46);
+  const auto after = [&](unsigned int iterations) {
+    return simplified(points, np::number_of_output_points(1000).number_of_iterations(iterations));
+  };
+  EXPECT_NE(after(50), after(51));
+  EXPECT_EQ(after(400), after(800));
+}
+
 TEST(Adaptive, does_not_depend_on_the_order_of_the_input)
 {
   std::vector<Point> points = surfaces::torus(10000, 3., 1., 35);
