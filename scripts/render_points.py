@@ -91,14 +91,16 @@ def caption_height(size):
     return max(20, size // 16)
 
 
-def caption(text, size):
-    result = vtk.vtkTextActor()
-    result.SetInput(text)
-    result.SetPosition(size // 2, caption_height(size) // 4)
-    result.GetTextProperty().SetJustificationToCentered()
-    result.GetTextProperty().SetFontSize(max(12, size // 28))
-    result.GetTextProperty().SetColor(0, 0, 0)
-    return result
+def add_caption(strip, text, size):
+    caption = vtk.vtkTextActor()
+    caption.SetInput(text)
+    caption.SetPosition(size // 2, caption_height(size) // 4)
+    style = caption.GetTextProperty()
+    style.SetJustificationToCentered()
+    style.SetColor(0, 0, 0)
+    strip.AddActor(caption)
+    largest = caption.SetConstrainedFontSize(strip, int(0.96 * size), caption_height(size))
+    style.SetFontSize(min(largest, max(12, size // 28)))
 
 
 def layer(window, left, bottom, width, height):
@@ -161,8 +163,8 @@ def main():
         filename, _, title = item.partition("=")
         points, _ = read(filename)
         left, bottom = i % columns * size, (rows - 1 - i // columns) * (size + strip)
-        text = caption(title or pathlib.Path(filename).stem, size)
-        layer(window, left, bottom, size, strip).AddActor(text)
+        add_caption(layer(window, left, bottom, size, strip),
+                    title or pathlib.Path(filename).stem, size)
         renderer = layer(window, left, bottom + strip, size, size)
         # coordinates relative to the center: the graphics card computes with floats
         center = (low + high) / 2
