@@ -4,7 +4,8 @@
 #   scripts/benchmark.sh [quick|igea|full [OPTION...]]
 #
 # quick: three inputs, no search for settings, no external programs; under 5 minutes on two cores.
-# igea: the model of the paper's Table 1 in five conditions, if it is in ../shared/data. full: all.
+# igea: the model of the paper's Table 1 in five conditions, if it is in ../shared/data; about an hour.
+# full: all, several hours.
 # Options are those of benchmark.py: after a change of this package, --rerun "this package" takes the
 # results of the others from the last run.
 set -euo pipefail
@@ -21,7 +22,7 @@ if [ "$mode" != quick ]; then
 fi
 
 cmake --preset release -DBUILD_TESTING=OFF -B build/benchmark >/dev/null
-cmake --build build/benchmark --target simplify_and_measure kernels compare_with_wlop
+cmake --build build/benchmark --target simplify_and_measure kernels measure_scaling compare_with_wlop
 output=benchmark/Curvature_aware_simplification_3/results
 if [ "$mode" = quick ]; then output=build/benchmark/results; fi
 /usr/bin/python3 benchmark/Curvature_aware_simplification_3/benchmark.py "$mode" \

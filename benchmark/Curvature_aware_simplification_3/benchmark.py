@@ -17,6 +17,7 @@ from ablation import ablation
 from comparison import Case, Comparison
 from page import ratios, stages, table, write_csv
 from paper_figures import Figures
+from scaling import scaling
 
 HERE = pathlib.Path(__file__).resolve().parent
 DEGRADATIONS = ["clean", "noise:0.2", "outliers:5", "density:10", "hole:10", "duplicates:100"]
@@ -140,7 +141,9 @@ def main():
     if not quick:
         igea = shared / "igea.ply"
         figures = Figures(comparison, meshes, igea if igea.exists() else None, render, output)
-        page += [("## What each idea is worth\n",
+        page += [("## Cost\n",
+                  lambda: scaling(build, igea if igea.exists() else None, output)),
+                 ("## What each idea is worth\n",
                   lambda: ablation(comparison, igea if igea.exists() else None, meshes, output)),
                  ("## The paper, row by row\n", str),
                  ("### Table 1\n", figures.table_1),

@@ -1,10 +1,9 @@
-// Time and memory of one call with default parameters on points of a torus, and the ratio to the time
-// of one normal estimation of the same points. One call in a process, because memory is counted from
-// its largest size.
-//
-//   measure_scaling NUMBER_OF_POINTS NUMBER_OF_OUTPUT_POINTS [--ratio]
+// Time and memory of one call with default parameters, and the ratio of the time to that of one normal
+// estimation of the same points; see --help. The result is a JSON object.
 
 #include "surfaces.h"
+
+#include <comparison/memory.h>
 
 #include <CGAL/Curvature_aware_simplification_report.h>
 #include <CGAL/Real_timer.h>
@@ -12,36 +11,80 @@
 #include <CGAL/pca_estimate_normals.h>
 #include <CGAL/property_map.h>
 
+#include <boost/program_options.hpp>
+#include <nlohmann/json.hpp>
+#ifdef CGAL_LINKED_WITH_TBB
+#include <tbb/global_control.h>
+#endif
+
+#include <algorithm>
 #include <cstddef>
-#include <cstdio>
 #include <cstdlib>
-#include <fstream>
 #include <functional>
 #include <iostream>
 #include <iterator>
+#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
 
 using Tag = CGAL::Parallel_if_available_tag;
-using Point_with_normal = std::pair<surfaces::Point, surfaces::Kernel::Vector_3>;
+using surfaces::Point;
+using Points = std::vector<Point>;
+using Point_with_normal = std::pair<Point, surfaces::Kernel::Vector_3>;
+using nlohmann::json;
 namespace np = CGAL::parameters;
+namespace po = boost::program_options;
 
-// a line of /proc/self/status in bytes, 0 where there is none
-double memory(const std::string& key)
+namespace {
+
+Points torus(std::size_t n)
 {
-  std::ifstream status("/proc/self/status");
-  for (std::string line; std::getline(status, line);)
-    if (line.compare(0, key.size(), key) == 0)
-      return 1024. * std::stod(line.substr(key.size()));
-  return 0.;
+  return surfaces::torus(n, 3., 1., 0);
 }
 
-double seconds_of_normal_estimation(const std::vector<surfaces::Point>& points)
+// What could cost more than a clean scan of the same size
+Points make_input(const std::string& name, std::size_t size)
+{
+  if (name == "torus")
+    return torus(size);
+  CGAL::Random random(1);
+  Points points;
+  points.reserve(size);
+  if (name == "duplicates") // each point ten times
+    for (const Point& p : torus(size / 10))
+      points.insert(points.end(), 10, p);
+  else if (name == "line")
+    for (std::size_t i = 0; i < size; ++i)
+    {
+      const double t = random.uniform_real(0., 1.);
+      points.emplace_back(t, 2. * t, 3. * t);
+    }
+  else if (name == "clusters") // extent / spacing is about 1e8
+    for (const Point& p : torus(size))
+    {
+      const double shift = points.size() % 2 == 0 ? 0. : 1e6;
+      points.emplace_back(p.x() + shift, p.y() + shift, p.z() + shift);
+    }
+  else if (name == "outliers") // 10 %, in the inflated box
+  {
+    points = torus(size - size / 10);
+    while (points.size() < size)
+    {
+      const double x = random.uniform_real(-4.4, 4.4), y = random.uniform_real(-4.4, 4.4);
+      points.emplace_back(x, y, random.uniform_real(-1.1, 1.1));
+    }
+  }
+  else
+    throw std::invalid_argument("There is no input " + name);
+  return points;
+}
+
+double seconds_of_normal_estimation(const Points& points)
 {
   std::vector<Point_with_normal> points_with_normals;
   points_with_normals.reserve(points.size());
-  for (const surfaces::Point& p : points)
+  for (const Point& p : points)
     points_with_normals.emplace_back(p, CGAL::NULL_VECTOR);
   CGAL::Real_timer timer;
   timer.start();
@@ -52,37 +95,92 @@ double seconds_of_normal_estimation(const std::vector<surfaces::Point>& points)
   return timer.time();
 }
 
-int main(int argc, char* argv[])
+double median(std::vector<double> values)
 {
-  if (argc < 3)
-  {
-    std::cerr << "Usage: measure_scaling NUMBER_OF_POINTS NUMBER_OF_OUTPUT_POINTS [--ratio]"
-              << std::endl;
-    return EXIT_FAILURE;
-  }
-  const std::size_t size = std::stoul(argv[1]);
-  const std::size_t n = std::stoul(argv[2]);
-  const std::vector<surfaces::Point> points = surfaces::torus(size, 3., 1., 0);
-  const double memory_before = memory("VmRSS:");
+  std::sort(values.begin(), values.end());
+  return values[values.size() / 2];
+}
 
+json stages(const CGAL::Curvature_aware_simplification_report& report)
+{
+  return {{"sorting", report.sorting_time},      {"features", report.features_time},
+          {"outliers", report.outliers_time},    {"noise", report.noise_time},
+          {"selection", report.selection_time},  {"relaxation", report.relaxation_time},
+          {"projection", report.projection_time}};
+}
+
+json measure(const Points& points, std::size_t n, unsigned int neighbors, std::size_t rounds,
+             bool against_normals)
+{
   CGAL::Curvature_aware_simplification_report report;
-  std::vector<surfaces::Point> output;
-  output.reserve(n);
-  CGAL::Real_timer timer;
-  timer.start();
-  CGAL::curvature_aware_simplify_point_set<Tag>(
-      points, std::back_inserter(output),
-      np::number_of_output_points(n).simplification_report(std::ref(report)));
-  const double seconds = timer.time();
-  const double bytes = (memory("VmHWM:") - memory_before) / static_cast<double>(size);
+  std::vector<double> seconds, ratios;
+  double memory = 0.;
+  for (std::size_t round = 0; round < rounds; ++round)
+  {
+    Points output;
+    output.reserve(n);
+    comparison::reset_peak_memory();
+    const double memory_before = comparison::status("VmRSS");
+    CGAL::Real_timer timer;
+    timer.start();
+    CGAL::curvature_aware_simplify_point_set<Tag>(
+        points, std::back_inserter(output),
+        np::number_of_output_points(n).number_of_neighbors(neighbors).simplification_report(
+            std::ref(report)));
+    seconds.push_back(timer.time());
+    memory = (std::max)(memory, comparison::status("VmHWM") - memory_before);
+    if (against_normals)
+      ratios.push_back(seconds.back() / seconds_of_normal_estimation(points));
+  }
+  json result = {{"seconds", median(seconds)},
+                 {"bytes", memory / static_cast<double>(points.size())},
+                 {"stages", stages(report)}};
+  if (against_normals)
+    result["ratio"] = median(ratios);
+  return result;
+}
 
-  std::printf("%zu -> %zu points: %.3f s, %.0f bytes per input point; sorting %.3f, features %.3f, "
-              "outliers %.3f, noise %.3f, selection %.3f, relaxation %.3f, projection %.3f s\n",
-              size, output.size(), seconds, bytes, report.sorting_time, report.features_time,
-              report.outliers_time, report.noise_time, report.selection_time,
-              report.relaxation_time, report.projection_time);
-  if (argc > 3)
-    std::printf("%.2f times one normal estimation\n",
-                seconds / seconds_of_normal_estimation(points));
+} // namespace
+
+int main(int argc, char* argv[])
+try
+{
+  std::size_t size, n, rounds, threads;
+  unsigned int neighbors;
+  std::string input;
+  po::options_description options("Options");
+  options.add_options()("help", "this text");
+  options.add_options()("input", po::value(&input)->default_value("torus"),
+                        "torus, duplicates, line, clusters or outliers");
+  options.add_options()("points", po::value(&size)->default_value(1000000), "of the input");
+  options.add_options()("output-points", po::value(&n)->default_value(50000), "asked for");
+  options.add_options()("neighbors", po::value(&neighbors)->default_value(16),
+                        "number_of_neighbors");
+  options.add_options()("threads", po::value(&threads)->default_value(0), "at most; 0: all");
+  options.add_options()("rounds", po::value(&rounds)->default_value(3), "for the median");
+  options.add_options()("ratio", "to the time of one normal estimation, too");
+  po::variables_map values;
+  po::store(po::parse_command_line(argc, argv, options), values);
+  po::notify(values);
+  if (values.count("help"))
+  {
+    std::cout << options;
+    return EXIT_SUCCESS;
+  }
+#ifdef CGAL_LINKED_WITH_TBB
+  using tbb::global_control;
+  const global_control control(
+      global_control::max_allowed_parallelism,
+      threads > 0 ? threads
+                  : global_control::active_value(global_control::max_allowed_parallelism));
+#endif
+  std::cout << measure(make_input(input, size), n, neighbors, (std::max)(rounds, std::size_t(1)),
+                       values.count("ratio") > 0)
+            << std::endl;
   return EXIT_SUCCESS;
+}
+catch (const std::exception& error)
+{
+  std::cerr << error.what() << std::endl;
+  return EXIT_FAILURE;
 }

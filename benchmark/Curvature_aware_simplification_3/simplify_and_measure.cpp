@@ -4,6 +4,7 @@
 
 #include <comparison/input.h>
 #include <comparison/measures.h>
+#include <comparison/memory.h>
 #include <comparison/methods.h>
 #include <comparison/quadric_edge_collapse.h>
 
@@ -33,24 +34,6 @@ using nlohmann::json;
 namespace po = boost::program_options;
 
 namespace {
-
-// A field of the process status in bytes; 0 where there is no such file
-double status(const std::string& field)
-{
-  std::ifstream file("/proc/self/status");
-  std::string word;
-  double kilobytes = 0.;
-  while (file >> word)
-    if (word == field + ":" && file >> kilobytes)
-      return 1024. * kilobytes;
-  return 0.;
-}
-
-// Peak memory from now on is what VmHWM tells after this.
-void reset_peak_memory()
-{
-  std::ofstream("/proc/self/clear_refs") << "5";
-}
 
 // The spacing that n points have when they are spread evenly: measured on n random clean points
 double even_spacing(const Points& points, std::size_t n)
