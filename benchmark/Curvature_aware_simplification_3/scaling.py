@@ -79,7 +79,7 @@ def scaling(build, igea, output):
     plt.close(figure)
 
     text = ("Random points of a torus and what could cost more than those: each point ten times, all "
-            "points on a line, two clusters a hundred million spacings apart, 10 % outliers.\n\n"
+            "points on a line, two clusters 5e7 spacings apart, 10 % outliers.\n\n"
             + write_table(output / "scaling.csv", rows) + "\n![scaling](scaling.png)\n")
     if igea:
         run = subprocess.run([str(build / "compare_with_wlop"), str(igea), "13227"],

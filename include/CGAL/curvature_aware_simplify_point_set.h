@@ -107,7 +107,8 @@ a locally optimal projection started from a curvature-aware random selection, ma
 input:
 
 -# Outliers are found: points that few others have among their \f$k\f$ nearest neighbors, and that are
-   in no layer. They have no influence on anything.
+   in no layer. They have no influence on what follows, unless fewer than \f$N\f$ points, or than half
+   of them, would be left: then none are taken for outliers.
 -# The standard deviation \f$\sigma\f$ of the noise is estimated from what local quadrics leave.
 -# The density of the output follows the curvature \f$c\f$ at the distance of the output points, as
    \f$c^{\alpha}\f$, where \f$\sigma\f$ does not explain it, and not the density of the input.
@@ -122,7 +123,8 @@ input:
 What was found is told by `simplification_report`. The manual has the details.
 
 The result does not depend on the unit or the origin of the coordinates, nor on the order of the
-points, and is the same, bit by bit, for the same input and seed, whatever the concurrency tag and the
+points (but for which duplicates are returned, if more points are asked for than are distinct), and is
+the same, bit by bit, for the same input and seed, whatever the concurrency tag and the
 number of threads. The input is neither changed nor reordered. With \f$M\f$ input and \f$N\f$ output
 points, the time is \f$O(M (\log M + k) + i N \log M)\f$ for \f$i\f$ iterations, the memory
 \f$O(M)\f$.
@@ -215,8 +217,8 @@ input then, so that a permutation of the input gives another selection.
 
   \cgalParamNBegin{number_of_neighbors}
     \cgalParamDescription{the number \f$k\f$ of neighbors, the point itself not counted, by which
-                          outliers are found, and, with the settings of the paper, surface variation and
-                          density are computed}
+                          outliers are found, and the density of the input and its surface variation are
+                          computed}
     \cgalParamType{an integer of at least 2}
     \cgalParamDefault{`16`}
     \cgalParamExtra{More neighbors find clusters of up to about a quarter as many outliers, and make the

@@ -8,8 +8,10 @@
 #include <CGAL/Curvature_aware_simplification_3/internal/counter_based_random.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/density_weights.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/features.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/parameters.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/relax.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/sample_spacing.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/select_along_curve.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/select_points.h>
 #include <CGAL/estimate_surface_variation.h>
 
@@ -18,6 +20,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <limits>
 #include <numeric>
 #include <set>
@@ -424,6 +427,28 @@ TEST(Density_weights, of_two_points_by_hand)
   EXPECT_NEAR(weights[0], 1. + std::exp(-1.), 1e-15);
   EXPECT_NEAR(weights[1], 1. + std::exp(-1.), 1e-15);
   EXPECT_EQ(weights[2], 1.);
+}
+
+// Beyond 2^32, without as many points: loops hand out the indices they are given, counts and random
+// numbers tell apart what is equal in 32 bits, and whatever stores an index has room for it.
+TEST(Loops, count_in_64_bits)
+{
+  const std::size_t across = (std::size_t(1) << 32) - 500;
+  std::vector<int> visits(1000, 0);
+  for_each_index<Tag>(across, across + visits.size(), [&](std::size_t i) { ++visits[i - across]; });
+  EXPECT_EQ(visits, std::vector<int>(1000, 1));
+
+  EXPECT_EQ(percentage_of(50., std::size_t(1) << 36), std::size_t(1) << 35);
+  const std::size_t five_billions = 5000000000u;
+  EXPECT_EQ(checked_count("n", five_billions, 1, (std::numeric_limits<std::size_t>::max)(), ""),
+            five_billions);
+
+  const Counter_based_random random(0, 0);
+  EXPECT_NE(random.bits(7), random.bits((std::uint64_t(1) << 32) + 7));
+
+  static_assert(sizeof(decltype(Cloud::input_index)::value_type) == 8, "indices of input points");
+  static_assert(sizeof(decltype(Cloud::distinct_index)::value_type) == 8, "of distinct points");
+  static_assert(sizeof(decltype(select_along_curve({}, 0, 0))::value_type) == 8, "of samples");
 }
 
 TEST(Loops, sums_do_not_depend_on_the_tag)

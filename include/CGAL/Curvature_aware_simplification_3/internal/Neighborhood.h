@@ -58,7 +58,7 @@ struct Neighborhood
     });
   }
 
-  // those of another neighborhood, which holds them all, that are in the ball
+  // those of another neighborhood that are in the ball
   void take_within(const Neighborhood& other, const Point& query, double ball_radius)
   {
     center = query;

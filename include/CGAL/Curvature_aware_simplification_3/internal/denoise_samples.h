@@ -49,7 +49,8 @@ inline Fits_of_all_sizes fits_of_all_sizes(const Surface_fit& fit, const Surface
   Fits_of_all_sizes fits{surface.origin, {}};
   if (!(surface.radius > 0.))
     return fits;
-  // Balls of twice the area, and so on. All are in the largest, which is searched once.
+  // Balls of twice the area, and so on. All are in the largest, which is searched once, but for
+  // the small way that the foot point goes.
   const double ratio = static_cast<double>(largest_neighborhood) /
                        static_cast<double>((std::max)(surface.neighbors, std::size_t(1)));
   const double largest_radius = surface.radius * std::sqrt(ratio);
@@ -75,8 +76,8 @@ inline Fits_of_all_sizes fits_of_all_sizes(const Surface_fit& fit, const Surface
 // shape, which the wider fit misses. As in a Wiener filter, the share of the noise in the mean
 // square of the difference is the part of the step to take, for the least expected error:
 //   z = z_0 + sum_m w_m (z_m+1 - z_m),  w_m = (var_m - var_m+1) / mean (z_m+1 - z_m)^2,
-// at most 1. One difference tells little, so the mean is over the sample and its 32 nearest (3
-// rings), where shape is similar.
+// at most 1. One difference tells little, so the mean is over the sample and its 32 nearest, where
+// shape is similar.
 template <typename ConcurrencyTag>
 std::vector<Point> denoise_samples(const std::vector<Surface_sample>& samples,
                                    const Surface_fit& fit, const Progress& progress)

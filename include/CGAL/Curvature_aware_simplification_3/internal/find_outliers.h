@@ -36,7 +36,9 @@ mark_those_with_less_votes(const std::vector<std::atomic<std::uint32_t>>& votes,
   return found;
 }
 
-// Which points do not belong to a surface: 1 for outliers. O(n + (k + log n) outliers)
+// Which points do not belong to a surface: 1 for outliers. Takes
+// O(k + log n) for each outlier, and a pass over all points for each round of uncovering, of which
+// there are few.
 //
 // Every point votes for its k nearest. A point on a surface gets about k votes, at a corner of an
 // open surface half of them, and the density of the input cancels out: sparse regions vote for
@@ -66,7 +68,7 @@ std::vector<std::uint8_t> find_outliers(const Cloud& cloud, const Neighbor_searc
   std::vector<std::uint8_t> is_outlier(n, 0);
   std::vector<std::atomic<std::uint32_t>> votes(n); // sums of integers: the order does not matter
   // A quarter of the votes: a corner of an open surface, the least that a surface has, gets a half.
-  const std::size_t few_votes = k / 4;
+  const std::size_t few_votes = (std::max)(k / 4, std::size_t(1));
   for_each_index<ConcurrencyTag>(0, n,
                                  [&](std::size_t i)
                                  {

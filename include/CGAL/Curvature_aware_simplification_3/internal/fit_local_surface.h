@@ -31,10 +31,10 @@ struct Surface_fit
 constexpr std::size_t smallest_neighborhood = 19;
 // Four doublings above. Then noise is down to sigma / 6, and time grows faster than accuracy.
 constexpr std::size_t largest_neighborhood = 16 * 18 + 1;
-// A quadric is known to a third of sigma from a disk with a radius of some 7 sigma, where the layer
-// of noisy points looks flat; in a smaller ball it looks as thick as wide and has no normal.
+// In units of sigma. In a ball of that radius, the layer of noisy points looks flat; in a much smaller
+// one it looks as thick as wide and has no normal.
 constexpr double smallest_radius_in_noise = 7.;
-// Welsch's weight exp(-e^2 / 2) with e in units of 2.5 standard deviations: 95 % of the efficiency
+// Welsch's weight exp(-e^2 / 2) with e in units of 2.5 standard deviations: 97 % of the efficiency
 // of least squares for Gaussian noise, and nothing left of what is 8 standard deviations away
 constexpr double residual_scale = 2.5;
 // 2 standard deviations where a fit is widened: what it meets there may be another sheet, and nothing
@@ -66,6 +66,7 @@ inline double residual_spread(const Neighborhood& neighborhood, const Local_surf
 inline void collect_neighbors(const Surface_fit& fit, const Point& x,
                               std::size_t expected_neighbors, Neighborhood& neighborhood)
 {
+  neighborhood.neighbors.clear();
   const double wanted_radius = smallest_radius_in_noise * fit.noise;
   const std::size_t smallest = (std::min)(smallest_neighborhood, fit.number_of_points);
   const std::size_t largest = (std::min)(largest_neighborhood, fit.number_of_points);

@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -65,7 +66,8 @@ std::pair<double, double> median_residual(const std::vector<Point>& points,
 // what a quadric misses of the shape is cubic in the radius, so s_k^2 = sigma^2 + c k^3. Two sizes
 // tell the two apart: sigma^2 = (8 s_k^2 - s_2k^2) / 7. The first must be wide against the noise,
 // here r >= 4 s: where the points look as thick as wide, a fit turns along the noise. If there is no
-// such k up to 1000, the layer of noise is all there is to see, and its residual is the answer.
+// such k up to about 1000, the layer of noise is all there is to see, and its residual is the answer.
+// If the points end before, they are too few to tell noise from shape, and are taken as they are.
 template <typename ConcurrencyTag>
 double noise_level(const std::vector<Point>& points, const Neighbor_search& search)
 {

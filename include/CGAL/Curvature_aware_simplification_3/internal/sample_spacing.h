@@ -30,7 +30,7 @@ constexpr double radius_in_spacings = 2.;
 // They are selected at random, so the nearest neighbor tells little: the density is taken from a
 // disk around each, up to the 18th nearest, as many as the two rings of a hexagonal lattice have. A
 // lattice of spacing s has 2 / (sqrt(3) s^2) points per area; with 18 in a disk of radius R this
-// gives s = R sqrt(2 pi / (18 sqrt(3))).
+// gives s = R sqrt(2 pi / (18 sqrt(3))). Of fewer samples, all take the place of the 18.
 //
 // The median keeps out what is special: isolated samples on outliers, and dense ones on sharp
 // features. The samples are measured, and not the ratio of M and N, since that knows neither how the
@@ -65,7 +65,7 @@ double sample_spacing(const std::vector<Point>& samples)
   std::nth_element(squared_radius.begin(), median, squared_radius.end());
   const double below = middle > 0 ? *std::max_element(squared_radius.begin(), median) : *median;
   const double radius = (std::sqrt(below) + std::sqrt(*median)) / 2.;
-  return radius * std::sqrt(2. * CGAL_PI / (number_of_neighbors * std::sqrt(3.)));
+  return radius * std::sqrt(2. * CGAL_PI / (static_cast<double>(size - 1) * std::sqrt(3.)));
 }
 
 } // namespace internal

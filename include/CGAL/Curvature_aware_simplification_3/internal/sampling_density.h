@@ -20,6 +20,7 @@
 #include <cmath>
 #include <cstddef>
 #include <functional>
+#include <limits>
 #include <memory>
 #include <vector>
 
@@ -31,7 +32,8 @@ namespace internal {
 struct Sampling_density
 {
   std::vector<double> density; // their integral over the surface is N
-  std::vector<double> weight;  // density times the area of the surface that the point stands for
+  std::vector<double> weight;  // density times the area of the surface that the point stands for,
+                               // an estimate: their sum is about N
   double mean_spacing;
 };
 
@@ -48,7 +50,11 @@ struct Deviation
   double squared_radius;
 };
 
-inline Deviation deviation_from_plane(const Neighbor_search& search, const Point& x, std::size_t k)
+// A height below the rounding error of the coordinates, `coordinate_error`, is 0: a plane has no
+// curvature. So the solver is the iterative one; the closed formula is off by the root of the
+// precision for points on a line.
+inline Deviation deviation_from_plane(const Neighbor_search& search, const Point& x, std::size_t k,
+                                      double coordinate_error)
 {
   Eigen::Vector3d mean = Eigen::Vector3d::Zero();
   Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
@@ -63,9 +69,11 @@ inline Deviation deviation_from_plane(const Neighbor_search& search, const Point
   });
   mean /= static_cast<double>(k);
   covariance = covariance / static_cast<double>(k) - mean * mean.transpose();
-  Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver;
-  solver.computeDirect(covariance, Eigen::EigenvaluesOnly);
-  return {(std::max)(solver.eigenvalues()(0), 0.), squared_radius};
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(covariance, Eigen::EigenvaluesOnly);
+  const double rounding_error = 16. * std::numeric_limits<double>::epsilon() * covariance.trace() +
+                                coordinate_error * coordinate_error;
+  const double squared_height = solver.eigenvalues()(0);
+  return {squared_height > rounding_error ? squared_height : 0., squared_radius};
 }
 
 // The density for which a piecewise linear surface through the samples has the least error.
@@ -82,9 +90,10 @@ template <typename ConcurrencyTag>
 Sampling_density sampling_density(const std::vector<Point>& points, const Neighbor_search& search,
                                   const std::vector<double>& inverse_density,
                                   std::size_t number_of_samples, double alpha, double noise,
-                                  const Adaptive_settings& settings, const Progress& progress)
+                                  double coordinate_error, const Adaptive_settings& settings,
+                                  const Progress& progress)
 {
-  // Not more than one sample for two input points
+  // Not more than one sample for two input points, unless that many are asked for
   constexpr double densest = 0.5;
   // so many points tell lambda_0; where balls hold more, a part of the points is enough
   constexpr double enough = 24.;
@@ -99,7 +108,8 @@ Sampling_density sampling_density(const std::vector<Point>& points, const Neighb
   const double mean_points_in_ball =
       CGAL_PI * radius * radius * static_cast<double>(n) / total_area;
   const std::size_t step =
-      (std::max)(std::size_t(1), static_cast<std::size_t>(mean_points_in_ball / enough));
+      static_cast<std::size_t>((std::min)((std::max)(mean_points_in_ball / enough, 1.),
+                                          (std::max)(static_cast<double>(n) / enough, 1.)));
   std::vector<Point> thinned;
   std::unique_ptr<Neighbor_search> own_search;
   if (step > 1)
@@ -111,8 +121,8 @@ Sampling_density sampling_density(const std::vector<Point>& points, const Neighb
   const Neighbor_search& thinned_search = own_search ? *own_search : search;
   const std::size_t number_of_thinned = own_search ? thinned.size() : n;
 
-  // Ranges of the Hilbert curve; each is represented by the point in its middle.
-  const std::size_t ranges = (std::min)(n, number_of_samples + 1);
+  // Ranges of the Hilbert curve, about one for each sample, represented by the point in its middle
+  const std::size_t ranges = (std::min)(n, number_of_samples);
   const auto begin = [&](std::size_t i) { return i * n / ranges; };
   std::vector<double> curvature(ranges), area(ranges), range_area(ranges), range_density(ranges);
   for_each_index<ConcurrencyTag>(ranges, progress,
@@ -126,8 +136,8 @@ Sampling_density sampling_density(const std::vector<Point>& points, const Neighb
     const std::size_t k = (std::min)(
         number_of_thinned,
         static_cast<std::size_t>((std::min)(4. * enough, (std::max)(16., points_in_ball))) + 1);
-    const Deviation deviation =
-        deviation_from_plane(thinned_search, points[(begin(i) + begin(i + 1)) / 2], k);
+    const Deviation deviation = deviation_from_plane(
+        thinned_search, points[(begin(i) + begin(i + 1)) / 2], k, coordinate_error);
     // beyond the noise, and two standard deviations of what k points say of it, so that noise alone is
     // taken for flat
     const double signal = deviation.squared_height -

@@ -71,7 +71,7 @@ Distinct_samples simplify_adaptively(Cloud cloud, std::unique_ptr<Neighbor_searc
         find_outliers<ConcurrencyTag>(cloud, *search, features, k);
     const std::size_t outliers =
         static_cast<std::size_t>(std::count(is_outlier.begin(), is_outlier.end(), 1));
-    // what most points are is no outlier
+    // What most points are is no outlier, and each sample needs a point to start from.
     if (outliers > 0 && distinct - outliers >= (std::max)(number_of_samples, distinct / 2))
     {
       search.reset();
@@ -92,7 +92,7 @@ Distinct_samples simplify_adaptively(Cloud cloud, std::unique_ptr<Neighbor_searc
   {
     const Sampling_density wanted = sampling_density<ConcurrencyTag>(
         points, *search, features.inverse_density, number_of_samples, parameters.adaptivity, noise,
-        settings, progress.part(0., 0.2));
+        cloud.coordinate_error, settings, progress.part(0., 0.2));
     features = Features();
     mean_spacing = wanted.mean_spacing;
     selected = select_along_curve(wanted.weight, number_of_samples, parameters.random_seed);
@@ -108,7 +108,7 @@ Distinct_samples simplify_adaptively(Cloud cloud, std::unique_ptr<Neighbor_searc
                                    parameters.repulsion_weight, progress.part(0.4, 0.8));
   report.relaxation_time = stopwatch.lap();
 
-  // The final fit. Where the narrowest has an error of sigma / 2, larger ones are worth their time
+  // The final fit. Where the narrowest has an error of up to sigma / 2, larger ones are worth their time
   // only if that is visible: beyond 1 % of the spacing.
   std::vector<Point> result(samples.size());
   const Progress final_progress = progress.part(0.8, 1.);
