@@ -11,7 +11,6 @@ IDEAS = [
     ("uniform density", "adaptivity=0"),
     ("curvature in balls of half a spacing", "curvature_radius=0.5"),
     ("lower bound of the curvature 0.1 of the mean, not 0.5", "least_curvature=0.1"),
-    ("wanted spacings not smoothed", "smooth_spacings=0"),
     ("no relaxation", "iterations=0"),
     ("4 iterations", "iterations=4"),
     ("20 iterations", "iterations=20"),

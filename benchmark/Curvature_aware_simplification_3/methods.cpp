@@ -217,7 +217,6 @@ Setting with_parameters(const std::string& parameters)
   set("measure_noise", settings.measure_noise);
   set("curvature_radius", settings.curvature_radius);
   set("least_curvature", settings.least_curvature);
-  set("smooth_spacings", settings.smooth_spacings);
   set("reach_of_repulsion", settings.reach_of_repulsion);
   set("start_amid_layer", settings.start_amid_layer);
   set("weight_of_height", settings.weight_of_height);

@@ -26,8 +26,6 @@ struct Adaptive_settings
   // thickness, and reconstruction wants spacings that vary slowly: with 0.2, a plate of 1.5 % of
   // the diagonal was lost.
   double least_curvature = 0.5;
-  // The spacings that samples want are means over them and their 8 nearest.
-  bool smooth_spacings = true;
 
   // How far samples repel each other, in spacings. With 1.22, theta is about that of the paper for h of
   // 2 spacings, which knows only the nearest neighbor, and is slow to even out.

@@ -107,30 +107,6 @@ inline void move_on_surface(Surface_sample& x, Vector step, const Surface_fit& f
   x.place(fit, x.surface.point(part * a, part * b), x.surface.normal(part * a, part * b));
 }
 
-// The wanted spacings as the mean over a sample and its 8 nearest, in logarithms: what one ball
-// measures is rough, and samples can only follow what varies slowly.
-template <typename ConcurrencyTag>
-void smooth_spacings(const Sample_neighbors& neighbors, std::vector<double>& spacings)
-{
-  constexpr std::size_t nearest = 8;
-  std::vector<double> logarithm(spacings.size());
-  for_each_index<ConcurrencyTag>(0, spacings.size(),
-                                 [&](std::size_t i) { logarithm[i] = std::log(spacings[i]); });
-  for_each_index<ConcurrencyTag>(0, spacings.size(),
-                                 [&](std::size_t i)
-                                 {
-    double sum = logarithm[i], number = 1.;
-    for (std::size_t j : neighbors.of(i))
-    {
-      if (number > nearest)
-        break;
-      sum += logarithm[j];
-      number += 1.;
-    }
-    spacings[i] = std::exp(sum / number);
-  });
-}
-
 // Iterations of eq. 8 until the samples rest, at most `number_of_iterations`
 template <typename ConcurrencyTag>
 void relax_on_surface(std::vector<Surface_sample>& samples, const Surface_fit& fit,
@@ -154,8 +130,6 @@ void relax_on_surface(std::vector<Surface_sample>& samples, const Surface_fit& f
   });
   Sample_neighbors neighbors;
   neighbors.search(points, ConcurrencyTag());
-  if (fit.settings.smooth_spacings)
-    smooth_spacings<ConcurrencyTag>(neighbors, spacings);
 
   double moved_since_search = 0.;
   std::vector<double> moved(samples.size());
@@ -174,7 +148,6 @@ void relax_on_surface(std::vector<Surface_sample>& samples, const Surface_fit& f
                                    [&](std::size_t i)
                                    {
       Surface_sample& x = samples[i];
-      x.spacing = spacings[i];
       const Vector step = repulsion_weight *
                           tangential_repulsion(x, neighbors.of(i), points, spacings, fit.settings);
       move_on_surface(x, step, fit);
