@@ -36,6 +36,14 @@ struct Local_features
   double inverse_density;
 };
 
+// What the smallest eigenvalue of a covariance matrix may be for points of a plane. It is exact to a few
+// units in the last place of the trace, its rounding error in the input to the square of that of the
+// coordinates.
+inline double rounding_error_of_eigenvalue(double trace, double coordinate_error)
+{
+  return 16. * std::numeric_limits<double>::epsilon() * trace + coordinate_error * coordinate_error;
+}
+
 // Surface variation of a covariance matrix: lambda_0 / (lambda_0 + lambda_1 + lambda_2), with
 // lambda_0 the smallest eigenvalue (Pauly et al. 2002).
 //
@@ -51,11 +59,7 @@ double surface_variation(const std::array<double, 6>& covariance, double coordin
   DiagonalizeTraits::diagonalize_selfadjoint_covariance_matrix(matrix, eigenvalues);
 
   const double trace = covariance[0] + covariance[3] + covariance[5];
-  // lambda_0 is exact to a few units in the last place of the trace, its rounding error in the
-  // input to the square of that of the coordinates.
-  const double rounding_error =
-      16. * std::numeric_limits<double>::epsilon() * trace + coordinate_error * coordinate_error;
-  if (!(eigenvalues[0] > rounding_error))
+  if (!(eigenvalues[0] > rounding_error_of_eigenvalue(trace, coordinate_error)))
     return 0.;
   return (std::min)(eigenvalues[0] / trace, 1. / 3.);
 }

@@ -9,6 +9,7 @@
 #include <CGAL/Curvature_aware_simplification_3/internal/Adaptive_settings.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Neighbor_search.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Progress.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/features.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/loops.h>
 
 #include <CGAL/number_type_config.h>
@@ -20,7 +21,6 @@
 #include <cmath>
 #include <cstddef>
 #include <functional>
-#include <limits>
 #include <memory>
 #include <vector>
 
@@ -70,9 +70,8 @@ inline Deviation deviation_from_plane(const Neighbor_search& search, const Point
   mean /= static_cast<double>(k);
   covariance = covariance / static_cast<double>(k) - mean * mean.transpose();
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(covariance, Eigen::EigenvaluesOnly);
-  const double rounding_error = 16. * std::numeric_limits<double>::epsilon() * covariance.trace() +
-                                coordinate_error * coordinate_error;
   const double squared_height = solver.eigenvalues()(0);
+  const double rounding_error = rounding_error_of_eigenvalue(covariance.trace(), coordinate_error);
   return {squared_height > rounding_error ? squared_height : 0., squared_radius};
 }
 

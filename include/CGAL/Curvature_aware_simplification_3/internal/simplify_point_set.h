@@ -1,0 +1,99 @@
+// Copyright (c) 2026 The authors of Curvature_aware_simplification_3.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_SIMPLIFY_POINT_SET_H
+#define CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_SIMPLIFY_POINT_SET_H
+
+#include <CGAL/Curvature_aware_simplification_3/internal/Cloud.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/Neighbor_search.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/Progress.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/Stopwatch.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/features.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/input.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/parameters.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/simplify_adaptively.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/simplify_as_in_the_paper.h>
+#include <CGAL/Curvature_aware_simplification_report.h>
+
+#include <CGAL/Named_function_parameters.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <functional>
+#include <memory>
+#include <utility>
+
+namespace CGAL {
+namespace Curvature_aware_simplification_3 {
+namespace internal {
+
+// From the caller's range to the caller's output: reads, measures, simplifies by one of the two
+// methods and writes. `settings` are those of the adaptive method, which only the benchmark changes.
+template <typename ConcurrencyTag, typename PointRange, typename OutputIterator,
+          typename NamedParameters>
+OutputIterator simplify_point_set(const PointRange& points, OutputIterator output,
+                                  const NamedParameters& np, const Adaptive_settings& settings)
+{
+  using parameters::choose_parameter;
+  using parameters::get_parameter;
+  using Types = Input_types<PointRange, NamedParameters>;
+  using Geom_traits = typename Types::Geom_traits;
+  using FT = typename Geom_traits::FT;
+  using Diagonalize_traits = typename Types::Diagonalize_traits;
+
+  const Parameters parameters = read_parameters(np, number_of_elements(points));
+  const Progress progress(parameters.callback);
+  Curvature_aware_simplification_report report;
+  Stopwatch stopwatch;
+
+  try
+  {
+    Cloud cloud = make_cloud<ConcurrencyTag>(
+        read_coordinates(points, Types::NP_helper::get_const_point_map(points, np)),
+        relative_rounding_error<FT>());
+    std::unique_ptr<Neighbor_search> search(new Neighbor_search(cloud.points, ConcurrencyTag()));
+    report.sorting_time = stopwatch.lap();
+
+    Features features = compute_features<ConcurrencyTag, Diagonalize_traits>(
+        cloud, *search, parameters.number_of_neighbors, progress.part(0., 0.4));
+    report.features_time = stopwatch.lap();
+
+    report.number_of_input_points = cloud.input_size();
+    report.number_of_distinct_points = cloud.size();
+    report.number_of_output_points = parameters.number_of_output_points;
+    report.maximum_surface_variation =
+        *std::max_element(features.curvature.begin(), features.curvature.end());
+
+    const Frame frame = cloud.frame;
+    const Progress simplification_progress = progress.part(0.4, 1.);
+    const Distinct_samples samples =
+        parameters.settings_of_the_paper
+            ? simplify_as_in_the_paper<ConcurrencyTag, Diagonalize_traits>(
+                  cloud, *search, features, parameters, simplification_progress, report)
+            : simplify_adaptively<ConcurrencyTag>(std::move(cloud), std::move(search),
+                                                  std::move(features), parameters, settings,
+                                                  simplification_progress, report);
+
+    progress.report(1.);
+    choose_parameter(get_parameter(np, internal_np::simplification_report), std::ref(report))
+        .get() = report;
+    for (std::size_t i = 0; i < samples.points.size(); ++i)
+    {
+      const Point p = frame.from_frame(samples.points[i]);
+      for (std::size_t copy = 0; copy < samples.copies[i]; ++copy)
+        *output++ = typename Geom_traits::Point_3(static_cast<FT>(p.x()), static_cast<FT>(p.y()),
+                                                  static_cast<FT>(p.z()));
+    }
+  }
+  catch (const Cancelled&)
+  {}
+  return output;
+}
+
+} // namespace internal
+} // namespace Curvature_aware_simplification_3
+} // namespace CGAL
+
+#endif // CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_SIMPLIFY_POINT_SET_H
