@@ -369,6 +369,9 @@ TEST(Sample_spacing, of_random_points_and_of_a_lattice)
       points.emplace_back(0.01 * (i + 0.5 * (j % 2)), 0.01 * j * std::sqrt(3.) / 2., 0.);
   EXPECT_NEAR(sample_spacing<Tag>(points), 0.00898, 1e-5);
 
+  // one neighbor in a disk of radius 1: sqrt(2 pi / sqrt(3))
+  EXPECT_NEAR(sample_spacing<Tag>({Point(0, 0, 0), Point(1, 0, 0)}), 1.90463, 1e-5);
+
   EXPECT_EQ(sample_spacing<Tag>({Point(1, 1, 1)}), 0.);
   EXPECT_EQ(sample_spacing<Tag>({Point(1, 1, 1), Point(1, 1, 1)}), 0.);
 }
