@@ -22,7 +22,6 @@
 #include <algorithm>
 #include <cstddef>
 #include <functional>
-#include <numeric>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -72,42 +71,40 @@ Cloud make_cloud(std::vector<Point> coordinates, double relative_error)
   const Frame frame(box);
   const double largest_coordinate =
       (std::max)({-box.xmin(), -box.ymin(), -box.zmin(), box.xmax(), box.ymax(), box.zmax()});
+
+  // Points are sorted together with their positions in the input: sorting positions alone would jump
+  // through memory with each comparison. Equal points become neighbors in lexicographic order, the first
+  // of the input in front.
+  using Point_and_index = std::pair<Point, std::size_t>;
+  std::vector<Point_and_index> sorted(n);
   for_each_index<ConcurrencyTag>(0, n,
-                                 [&](std::size_t i)
-                                 {
-    const Point& p = coordinates[i];
-    coordinates[i] = frame.to_frame(p.x(), p.y(), p.z());
+                                 [&](std::size_t i) {
+    sorted[i] = {frame.to_frame(coordinates[i].x(), coordinates[i].y(), coordinates[i].z()), i};
   });
-
-  // Equal points become neighbors in lexicographic order, the first of the input in front.
-  std::vector<std::size_t> order(n);
-  std::iota(order.begin(), order.end(), std::size_t(0));
-  sort<ConcurrencyTag>(order.begin(), order.end(),
-                       [&](std::size_t i, std::size_t j)
-                       {
-    const Point &p = coordinates[i], &q = coordinates[j];
-    return p < q || (p == q && i < j);
-  });
+  coordinates = std::vector<Point>();
+  sort<ConcurrencyTag>(sorted.begin(), sorted.end(), std::less<Point_and_index>());
   std::vector<std::size_t> first_equal(n);
-  std::vector<std::size_t> input_index;
-  for (std::size_t i : order)
+  std::size_t distinct = 0;
+  for (const Point_and_index& p : sorted)
   {
-    if (input_index.empty() || coordinates[input_index.back()] != coordinates[i])
-      input_index.push_back(i);
-    first_equal[i] = input_index.back();
+    if (distinct == 0 || sorted[distinct - 1].first != p.first)
+      sorted[distinct++] = p;
+    first_equal[p.second] = sorted[distinct - 1].second;
   }
+  sorted.resize(distinct);
 
-  using Point_map = Pointer_property_map<Point>::const_type;
-  using Sort_traits = Spatial_sort_traits_adapter_3<Computation_kernel, Point_map>;
-  hilbert_sort<ConcurrencyTag>(input_index.begin(), input_index.end(),
-                               Sort_traits(Point_map(coordinates.data())));
+  using Sort_traits = Spatial_sort_traits_adapter_3<Computation_kernel,
+                                                    First_of_pair_property_map<Point_and_index>>;
+  hilbert_sort<ConcurrencyTag>(sorted.begin(), sorted.end(), Sort_traits());
 
-  std::vector<Point> points(input_index.size());
-  std::vector<std::size_t>& distinct_index = order; // its memory is free again
-  for_each_index<ConcurrencyTag>(0, points.size(),
+  std::vector<Point> points(distinct);
+  std::vector<std::size_t> input_index(distinct);
+  std::vector<std::size_t> distinct_index(n);
+  for_each_index<ConcurrencyTag>(0, distinct,
                                  [&](std::size_t i)
                                  {
-    points[i] = coordinates[input_index[i]];
+    points[i] = sorted[i].first;
+    input_index[i] = sorted[i].second;
     distinct_index[input_index[i]] = i;
   });
   for_each_index<ConcurrencyTag>(0, n,

@@ -40,7 +40,7 @@ public:
   Neighbor_search(const std::vector<Point>& points, const ConcurrencyTag&)
     : m_points(points.data()),
       m_tree(boost::counting_iterator<std::size_t>(0),
-             boost::counting_iterator<std::size_t>(points.size()), Splitter(),
+             boost::counting_iterator<std::size_t>(points.size()), Splitter(points_in_leaf),
              Traits(Point_map(points.data())))
   {
     m_tree.template build<ConcurrencyTag>();
@@ -69,6 +69,10 @@ public:
   }
 
 private:
+  // With 24 instead of CGAL's 10, the tree is built in three quarters of the time, and searches take as
+  // long or up to a tenth less; with 32 they take longer again.
+  static constexpr unsigned int points_in_leaf = 24;
+
   using Point_map = Pointer_property_map<Point>::const_type;
   using Base_traits = Search_traits_3<Computation_kernel>;
   using Traits = Search_traits_adapter<std::size_t, Point_map, Base_traits>;
