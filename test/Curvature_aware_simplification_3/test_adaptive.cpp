@@ -263,6 +263,8 @@ TEST(Repulsion, is_the_weighted_mean_of_the_directions_away)
   const Vector both = repulsion({0, 1}, spacings);
   EXPECT_NEAR(both.x(), -w0 / (w0 + w1), 1e-4);
   EXPECT_NEAR(both.y(), -2. * w1 / (w0 + w1), 1e-4);
+  // one neighbor alone, with less weight than those of a lattice, pushes by its share
+  EXPECT_NEAR(repulsion({1}, spacings).y(), -2. * w1, 1e-4);
   // phi: the square of the other's spacing
   const Vector sparse = repulsion({0, 1}, {2., 4., 2., 2.});
   EXPECT_NEAR(sparse.x(), -w0 / (w0 + 4. * w1), 1e-4);

@@ -33,6 +33,8 @@ struct Adaptive_settings
   // Heights over the tangent plane count so much more in rho^2, so that the two sides of a thin part
   // hardly see each other.
   double weight_of_height = 4.;
+  // The sum of the weights of the neighbors counts as this at least, about what it is in a lattice.
+  double least_weight_of_neighbors = 1.;
   // Samples are not pushed across a border.
   bool keep_borders = true;
 

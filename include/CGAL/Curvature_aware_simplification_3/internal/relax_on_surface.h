@@ -82,6 +82,10 @@ Vector tangential_repulsion(const Surface_sample& x, const Neighbors& neighbors,
     sum = sum + beta * t;
     weight += beta;
   }
+  // In a lattice of spacing s, the weights add up to 6 (3/4)^6 = 1.07. Few and far neighbors push less:
+  // divided by less, one at the end of the reach would push as six around do, and where noise makes the
+  // spacings differ, samples would jump to and fro.
+  weight = (std::max)(weight, settings.least_weight_of_neighbors);
   return weight > 0. ? sum / weight : Vector(0., 0., 0.);
 }
 
