@@ -17,6 +17,7 @@ IDEAS = [
     ("narrow repulsion, as in the paper for h of two spacings", "reach_of_repulsion=1.22"),
     ("heights count once in the repulsion", "weight_of_height=1"),
     ("few and far neighbors push as many near ones do", "least_weight_of_neighbors=0"),
+    ("samples without momentum", "momentum=0"),
     ("samples may cross borders", "keep_borders=0"),
     ("outliers not looked for", "find_outliers=0"),
     ("noise not measured", "measure_noise=0"),

@@ -220,6 +220,7 @@ Setting with_parameters(const std::string& parameters)
   set("reach_of_repulsion", settings.reach_of_repulsion);
   set("start_amid_layer", settings.start_amid_layer);
   set("weight_of_height", settings.weight_of_height);
+  set("momentum", settings.momentum);
   set("least_weight_of_neighbors", settings.least_weight_of_neighbors);
   set("keep_borders", settings.keep_borders);
   set("moves_to_foot_point", settings.moves_to_foot_point);

@@ -274,6 +274,33 @@ TEST(Repulsion, is_the_weighted_mean_of_the_directions_away)
   EXPECT_NEAR(above.z(), 0., 1e-15);
 }
 
+TEST(Relaxation, evens_out_faster_with_momentum)
+{
+  const std::vector<Point> points = surfaces::square(20000, 9);
+  const Neighbor_search search(points, Tag());
+  // three quarters of the samples start in the left half, and flow to the right
+  const auto samples_on_the_left = [&](double momentum, std::size_t iterations)
+  {
+    Surface_fit fit{search, points.size(), 0.};
+    fit.settings.momentum = momentum;
+    std::vector<Surface_sample> samples;
+    std::size_t left = 0, right = 0;
+    for (const Point& p : points)
+      if (p.x() < 0.5 ? left++ < 300 : right++ < 100)
+      {
+        samples.emplace_back();
+        samples.back().spacing = lattice_spacing(400.);
+        samples.back().place(fit, p, CGAL::NULL_VECTOR);
+      }
+    relax_on_surface<Tag>(samples, fit, iterations, 0.45, Progress(no_callback));
+    return std::count_if(samples.begin(), samples.end(),
+                         [](const Surface_sample& x) { return x.point.x() < 0.5; });
+  };
+  const auto with = static_cast<double>(samples_on_the_left(0.4, 10));
+  EXPECT_LT(with, static_cast<double>(samples_on_the_left(0., 10)) - 2.);
+  EXPECT_NEAR(with, static_cast<double>(samples_on_the_left(0., 16)), 2.);
+}
+
 TEST(Border, of_a_half_plane_and_of_none)
 {
   const std::vector<Point> points = surfaces::square(20000, 6);

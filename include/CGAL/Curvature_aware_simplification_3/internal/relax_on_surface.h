@@ -30,6 +30,7 @@ struct Surface_sample
   double spacing = 0.;   // wanted distance to its neighbors, s
   Point point = Point(0., 0., 0.);
   Vector normal = Vector(0., 0., 1.);
+  Vector last_move = Vector(0., 0., 0.); // in the last iteration
 
   void move_to(double new_a, double new_b)
   {
@@ -152,10 +153,15 @@ void relax_on_surface(std::vector<Surface_sample>& samples, const Surface_fit& f
                                    [&](std::size_t i)
                                    {
       Surface_sample& x = samples[i];
-      const Vector step = repulsion_weight *
-                          tangential_repulsion(x, neighbors.of(i), points, spacings, fit.settings);
+      // Repulsion alone evens out the density as slowly as heat spreads. Momentum shortens that:
+      // where a sample goes on in one direction, it goes 1 / (1 - momentum) times as far.
+      const Vector in_plane = x.last_move - (x.last_move * x.normal) * x.normal;
+      const Vector step = repulsion_weight * tangential_repulsion(x, neighbors.of(i), points,
+                                                                  spacings, fit.settings) +
+                          fit.settings.momentum * in_plane;
       move_on_surface(x, step, fit);
-      moved[i] = std::sqrt(squared_distance(x.point, points[i])) / x.spacing;
+      x.last_move = x.point - points[i];
+      moved[i] = std::sqrt(x.last_move.squared_length()) / x.spacing;
     });
     for_each_index<ConcurrencyTag>(0, samples.size(),
                                    [&](std::size_t i) { points[i] = samples[i].point; });
