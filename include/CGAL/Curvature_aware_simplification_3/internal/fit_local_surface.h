@@ -177,10 +177,11 @@ inline Local_surface fit_local_surface(const Surface_fit& fit, const Point& x, c
     if (!success)
       return surface;
     const double distance = std::abs(fitted.c[0]);
-    // In the narrowest balls for the noise, sigma / 2 is that part of the radius. The first fit of a
-    // sample, which will move, can do with the same part of any ball.
-    const double part_of_radius = has_guess ? 0. : 0.5 / smallest_radius_in_noise;
-    const double tolerance = (std::max)(0.5 * fit.noise, part_of_radius * neighborhood.radius);
+    // sigma / 2, which in the narrowest balls for the noise is 1/14 of the radius: the first fit of a
+    // sample, which will move, can do with that part of any ball
+    const double tolerance =
+        0.5 * (has_guess ? fit.noise
+                         : (std::max)(fit.noise, neighborhood.radius / smallest_radius_in_noise));
     fitted.move_to_foot_point();
     if (!(distance > tolerance && moves < fit.settings.moves_to_foot_point))
       return fitted;
