@@ -21,7 +21,7 @@ IDEAS = [
     ("samples may cross borders", "keep_borders=0"),
     ("outliers not looked for", "find_outliers=0"),
     ("noise not measured", "measure_noise=0"),
-    ("fits not started amid the layer of noise", "start_amid_layer=0"),
+    ("points not smoothed first", "smooth_points=0"),
     ("balls of fits not moved to foot points", "moves_to_foot_point=0"),
     ("narrowest fits only", "denoise=0"),
 ]

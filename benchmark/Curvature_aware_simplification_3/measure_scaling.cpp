@@ -107,10 +107,10 @@ double median(std::vector<double> values)
 
 json stages(const CGAL::Curvature_aware_simplification_report& report)
 {
-  return {{"sorting", report.sorting_time},      {"features", report.features_time},
-          {"outliers", report.outliers_time},    {"noise", report.noise_time},
-          {"selection", report.selection_time},  {"relaxation", report.relaxation_time},
-          {"projection", report.projection_time}};
+  return {{"sorting", report.sorting_time},       {"features", report.features_time},
+          {"outliers", report.outliers_time},     {"noise", report.noise_time},
+          {"smoothing", report.smoothing_time},   {"selection", report.selection_time},
+          {"relaxation", report.relaxation_time}, {"projection", report.projection_time}};
 }
 
 json measure(const Points& points, std::size_t n, unsigned int neighbors, std::size_t rounds,

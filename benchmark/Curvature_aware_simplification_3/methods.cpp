@@ -218,7 +218,7 @@ Setting with_parameters(const std::string& parameters)
   set("curvature_radius", settings.curvature_radius);
   set("least_curvature", settings.least_curvature);
   set("reach_of_repulsion", settings.reach_of_repulsion);
-  set("start_amid_layer", settings.start_amid_layer);
+  set("smooth_points", settings.smooth_points);
   set("weight_of_height", settings.weight_of_height);
   set("momentum", settings.momentum);
   set("least_weight_of_neighbors", settings.least_weight_of_neighbors);

@@ -11,7 +11,8 @@ import matplotlib.ticker
 
 from page import write_table
 
-STAGES = ["sorting", "features", "outliers", "noise", "selection", "relaxation", "projection"]
+STAGES = ["sorting", "features", "outliers", "noise", "smoothing", "selection", "relaxation",
+          "projection"]
 
 
 def measure(program, **options):

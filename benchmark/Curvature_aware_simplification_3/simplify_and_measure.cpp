@@ -80,10 +80,10 @@ json run(const Setting& setting, const Task& task, const Input& input, std::size
 json stages()
 {
   const CGAL::Curvature_aware_simplification_report& r = last_report();
-  return {{"sorting", r.sorting_time},      {"features", r.features_time},
-          {"outliers", r.outliers_time},    {"noise", r.noise_time},
-          {"selection", r.selection_time},  {"relaxation", r.relaxation_time},
-          {"projection", r.projection_time}};
+  return {{"sorting", r.sorting_time},       {"features", r.features_time},
+          {"outliers", r.outliers_time},     {"noise", r.noise_time},
+          {"smoothing", r.smoothing_time},   {"selection", r.selection_time},
+          {"relaxation", r.relaxation_time}, {"projection", r.projection_time}};
 }
 
 } // namespace

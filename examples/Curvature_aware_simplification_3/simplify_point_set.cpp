@@ -249,6 +249,7 @@ void print(const CGAL::Curvature_aware_simplification_report& report)
             << "features   " << report.features_time << " s\n"
             << "outliers   " << report.outliers_time << " s\n"
             << "noise      " << report.noise_time << " s\n"
+            << "smoothing  " << report.smoothing_time << " s\n"
             << "selection  " << report.selection_time << " s\n"
             << "relaxation " << report.relaxation_time << " s\n"
             << "projection " << report.projection_time << " s\n";

@@ -48,6 +48,8 @@ struct Curvature_aware_simplification_report
   double outliers_time = 0.;
   /// estimating the noise level
   double noise_time = 0.;
+  /// smoothing the points, if there is noise to see
+  double smoothing_time = 0.;
   /// stochastic selection, and what it depends on
   double selection_time = 0.;
   /// all iterations of the relaxation

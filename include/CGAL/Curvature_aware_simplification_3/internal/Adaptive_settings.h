@@ -18,6 +18,9 @@ struct Adaptive_settings
   bool find_outliers = true;
   bool measure_noise = true;
 
+  // With noise, points are first smoothed one by one.
+  bool smooth_points = true;
+
   // Radius of the balls in which curvature is measured for the density, in output spacings. Balls of
   // that size also see the other side of a part that is thinner, and make it dense.
   double curvature_radius = 1.5;
@@ -41,8 +44,6 @@ struct Adaptive_settings
   // Samples are not pushed across a border.
   bool keep_borders = true;
 
-  // With noise, a fit starts at the mean of the points around a selected point, not at that point.
-  bool start_amid_layer = true;
   // How often the ball of a fit is moved to the foot point. Three moves bring a point
   // from 4 sigma to within the tolerance of sigma / 2.
   int moves_to_foot_point = 3;

@@ -23,7 +23,8 @@ struct Surface_fit
 {
   const Neighbor_search& search;
   std::size_t number_of_points; // of the search
-  double noise;                 // standard deviation sigma of the input's noise
+  double noise;                 // standard deviation sigma of their noise
+  double independent_noise;     // with which a fit would err as much: larger if points share noise
   Adaptive_settings settings = Adaptive_settings();
 };
 
@@ -61,14 +62,14 @@ inline double residual_spread(const Neighborhood& neighborhood, const Local_surf
   return 1.4826 * *median * std::sqrt(n / (std::max)(n - 5., 1.));
 }
 
-// Collects the neighbors of x that a fit needs: the k nearest for the smallest k, or all in the ball that
-// noise asks for. `expected_neighbors` is about how many points are in that ball, or 0 if not known.
-inline void collect_neighbors(const Surface_fit& fit, const Point& x,
-                              std::size_t expected_neighbors, Neighborhood& neighborhood)
+// Collects the neighbors of x that a fit needs: `smallest` nearest, or all in the ball that noise asks
+// for. `expected_neighbors` is about how many points are in that ball, or 0 if not known.
+inline void collect_neighbors(const Surface_fit& fit, const Point& x, std::size_t smallest,
+                              double wanted_radius, std::size_t expected_neighbors,
+                              Neighborhood& neighborhood)
 {
   neighborhood.neighbors.clear();
-  const double wanted_radius = smallest_radius_in_noise * fit.noise;
-  const std::size_t smallest = (std::min)(smallest_neighborhood, fit.number_of_points);
+  smallest = (std::min)(smallest, fit.number_of_points);
   const std::size_t largest = (std::min)(largest_neighborhood, fit.number_of_points);
   if (expected_neighbors <= smallest)
   {
@@ -89,24 +90,30 @@ inline void collect_neighbors(const Surface_fit& fit, const Point& x,
   neighborhood.collect(fit.search, x, neighborhood.size() < smallest ? smallest : largest);
 }
 
+inline void collect_neighbors(const Surface_fit& fit, const Point& x,
+                              std::size_t expected_neighbors, Neighborhood& neighborhood)
+{
+  collect_neighbors(fit, x, smallest_neighborhood, smallest_radius_in_noise * fit.noise,
+                    expected_neighbors, neighborhood);
+}
+
+// Standard deviation of the height of a fit. `error` is what it would be for independent noise. Smoothed
+// points share their noise: a fit narrower than the smoothing is as good as they are, e = sigma, a
+// wider one as good as with independent noise. Both filters pass what is wider than they are and hold
+// back the rest, so that the narrower one hardly matters; the transition 1/e^4 = 1/e_1^4 + 1/e_2^4 was
+// measured on spheres.
+inline double error_of_fit(const Surface_fit& fit, double error)
+{
+  if (!(fit.noise < fit.independent_noise && error > 0.))
+    return error;
+  const double ratio = error / fit.noise;
+  return error / std::sqrt(std::sqrt(1. + ratio * ratio * ratio * ratio));
+}
+
 // Whether the ball is about as narrow as the noise allows
 inline bool is_noisy(const Surface_fit& fit, const Neighborhood& neighborhood)
 {
   return neighborhood.radius <= 2. * smallest_radius_in_noise * fit.noise;
-}
-
-// The weighted mean of the neighbors other than the center itself
-inline Point mean_of_others(const Neighborhood& neighborhood)
-{
-  Vector sum(0., 0., 0.);
-  double weight = 0.;
-  for (const Neighborhood::Neighbor& neighbor : neighborhood.neighbors)
-    if (neighbor.squared_distance > 0.)
-    {
-      sum = sum + neighbor.weight * neighbor.position;
-      weight += neighbor.weight;
-    }
-  return weight > 0. ? neighborhood.center + sum / weight : neighborhood.center;
 }
 
 // The narrowest surface that can be trusted, around the foot point of x: a quadric by iteratively
@@ -124,14 +131,6 @@ inline Local_surface fit_local_surface(const Surface_fit& fit, const Point& x, c
     surface.n = normal;
   surface.complete_frame();
   collect_neighbors(fit, x, expected_neighbors, neighborhood);
-  if (fit.settings.start_amid_layer && !has_guess && is_noisy(fit, neighborhood))
-  {
-    // A point that is 3 sigma off the surface sees no layer, only points on one side that spread about
-    // as far in height as in width. Their mean is amid the layer, whatever its normal.
-    neighborhood.weight_by_distance();
-    surface.origin = mean_of_others(neighborhood);
-    collect_neighbors(fit, surface.origin, expected_neighbors, neighborhood);
-  }
   // A ball around a point off the surface holds more of the noise on its side: it is moved to the
   // foot point.
   for (int moves = 0;;)
@@ -172,7 +171,8 @@ inline Local_surface fit_local_surface(const Surface_fit& fit, const Point& x, c
       weight_by_distance();
       for (Neighborhood::Neighbor& neighbor : neighborhood.neighbors)
         neighbor.weight *= robust_weight(fitted.residual(neighbor.position), fitted.spread);
-      success = fit_quadric(neighborhood, fit.noise, fitted);
+      success = fit_quadric(neighborhood, fit.independent_noise, fitted);
+      fitted.error = error_of_fit(fit, fitted.error);
     }
     if (!success)
       return surface;
@@ -206,13 +206,20 @@ inline bool widen(const Surface_fit& fit, const Neighborhood& wide, double radiu
     const double h = neighbor.position * surface.n;
     return neighbor.squared_distance - h * h;
   });
+  // a narrow fit to smoothed points follows their noise, and shows less of it than there is
+  const double spread = fit.noise < fit.independent_noise
+                            ? (std::max)(surface.spread, 2. * fit.noise)
+                            : surface.spread;
   for (Neighborhood::Neighbor& neighbor : neighborhood.neighbors)
     neighbor.weight *=
-        robust_weight(surface.residual(neighbor.position), surface.spread, residual_scale_of_wider);
+        robust_weight(surface.residual(neighbor.position), spread, residual_scale_of_wider);
   Local_surface wider = surface;
   wider.radius = neighborhood.radius;
   wider.neighbors = neighborhood.size();
-  if (!fit_quadric(neighborhood, fit.noise, wider) || !(wider.error < surface.error))
+  if (!fit_quadric(neighborhood, fit.independent_noise, wider))
+    return false;
+  wider.error = error_of_fit(fit, wider.error);
+  if (!(wider.error < surface.error))
     return false;
   wider.move_to_foot_point();
   surface = wider;

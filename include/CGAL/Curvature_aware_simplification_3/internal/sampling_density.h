@@ -34,13 +34,21 @@ struct Sampling_density
   std::vector<double> density; // their integral over the surface is N
   std::vector<double> weight;  // density times the area of the surface that the point stands for,
                                // an estimate: their sum is about N
-  double mean_spacing;
 };
 
 // The spacing of a hexagonal lattice with a density of points: s^2 = 2 / (sqrt(3) density)
 inline double lattice_spacing(double density)
 {
   return std::sqrt(2. / (std::sqrt(3.) * density));
+}
+
+// The sum of the areas that the points stand for
+template <typename ConcurrencyTag>
+double area_of_surface(const std::vector<double>& inverse_density)
+{
+  return reduce_indices<ConcurrencyTag>(
+      inverse_density.size(), 0., [&](std::size_t i) { return CGAL_PI * inverse_density[i]; },
+      std::plus<double>());
 }
 
 // lambda_0 of the k nearest points, the squared height over their plane, and their squared radius
@@ -99,8 +107,7 @@ Sampling_density sampling_density(const std::vector<Point>& points, const Neighb
 
   const std::size_t n = points.size();
   const double number = static_cast<double>(number_of_samples);
-  const double total_area = reduce_indices<ConcurrencyTag>(
-      n, 0., [&](std::size_t i) { return CGAL_PI * inverse_density[i]; }, std::plus<double>());
+  const double total_area = area_of_surface<ConcurrencyTag>(inverse_density);
   const double spacing = lattice_spacing(number / total_area);
   const double radius = (std::max)(settings.curvature_radius * spacing, 3. * noise);
 
@@ -180,7 +187,7 @@ Sampling_density sampling_density(const std::vector<Point>& points, const Neighb
   }
 
   const double factor = number / total();
-  Sampling_density result{std::vector<double>(n), std::vector<double>(n), spacing};
+  Sampling_density result{std::vector<double>(n), std::vector<double>(n)};
   for_each_index<ConcurrencyTag>(0, ranges,
                                  [&](std::size_t i)
                                  {

@@ -18,6 +18,7 @@
 #include <CGAL/Curvature_aware_simplification_3/internal/sampling_density.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/select_along_curve.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/select_points.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/smooth_points.h>
 
 #include <CGAL/Curvature_aware_simplification_report.h>
 
@@ -86,34 +87,46 @@ Distinct_samples simplify_adaptively(Cloud cloud, std::unique_ptr<Neighbor_searc
   const double noise = settings.measure_noise ? noise_level<ConcurrencyTag>(points, *search) : 0.;
   report.noise_time = stopwatch.lap();
 
-  const Surface_fit fit{*search, points.size(), noise, settings};
+  const double mean_spacing =
+      lattice_spacing(static_cast<double>(number_of_samples) /
+                      area_of_surface<ConcurrencyTag>(features.inverse_density));
+  // The narrowest fits have an error of up to sigma / 2. More is worth its time only if that is
+  // visible: beyond 1 % of the spacing.
+  const bool noise_is_visible = 0.5 * noise > 0.01 * mean_spacing;
+  Noise_left left{noise, noise};
+  if (settings.smooth_points && noise_is_visible)
+  {
+    left = smooth_points<ConcurrencyTag>(points, features.inverse_density, *search, noise,
+                                         number_of_samples, settings, progress.part(0., 0.2));
+    search.reset();
+    search.reset(new Neighbor_search(points, ConcurrencyTag()));
+  }
+  report.smoothing_time = stopwatch.lap();
+
+  const Surface_fit fit{*search, points.size(), left.noise, left.independent_noise, settings};
   std::vector<Surface_sample> samples(number_of_samples);
   std::vector<std::size_t> selected;
-  double mean_spacing;
   {
     const Sampling_density wanted = sampling_density<ConcurrencyTag>(
-        points, *search, features.inverse_density, number_of_samples, parameters.adaptivity, noise,
-        cloud.coordinate_error, settings, progress.part(0., 0.2));
+        points, *search, features.inverse_density, number_of_samples, parameters.adaptivity,
+        left.noise, cloud.coordinate_error, settings, progress.part(0.2, 0.3));
     features = Features();
-    mean_spacing = wanted.mean_spacing;
     selected = select_along_curve(wanted.weight, number_of_samples, parameters.random_seed);
     for (std::size_t i = 0; i < samples.size(); ++i)
       samples[i].spacing = lattice_spacing(wanted.density[selected[i]]);
   }
   report.selection_time = stopwatch.lap();
 
-  for_each_index<ConcurrencyTag>(samples.size(), progress.part(0.2, 0.4),
+  for_each_index<ConcurrencyTag>(samples.size(), progress.part(0.3, 0.4),
                                  [&](std::size_t i)
                                  { samples[i].place(fit, points[selected[i]], NULL_VECTOR); });
   relax_on_surface<ConcurrencyTag>(samples, fit, parameters.number_of_iterations,
                                    parameters.repulsion_weight, progress.part(0.4, 0.8));
   report.relaxation_time = stopwatch.lap();
 
-  // The final fit. Where the narrowest has an error of up to sigma / 2, larger ones are worth their time
-  // only if that is visible: beyond 1 % of the spacing.
   std::vector<Point> result(samples.size());
   const Progress final_progress = progress.part(0.8, 1.);
-  if (settings.denoise && 0.5 * noise > 0.01 * mean_spacing)
+  if (settings.denoise && noise_is_visible)
     result = denoise_samples<ConcurrencyTag>(samples, fit, final_progress);
   else
     for_each_index<ConcurrencyTag>(samples.size(), final_progress,

@@ -1,0 +1,122 @@
+// Copyright (c) 2026 The authors of Curvature_aware_simplification_3.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_SMOOTH_POINTS_H
+#define CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_SMOOTH_POINTS_H
+
+#include <CGAL/Curvature_aware_simplification_3/internal/Progress.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/fit_local_surface.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/loops.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <functional>
+#include <vector>
+
+namespace CGAL {
+namespace Curvature_aware_simplification_3 {
+namespace internal {
+
+// The neighbors of a point by which it is smoothed: 24, four for each coefficient of a quadric, or all
+// within so many sigma. A narrower ball around a noisy point sees no layer.
+constexpr std::size_t smoothing_neighborhood = 25;
+constexpr double smoothing_radius_in_noise = 4.;
+
+// A point on the surface, and the variance of its distance to it
+struct Smoothed_point
+{
+  Point point;
+  double variance;
+};
+
+// The foot point of x on the quadric through its neighbors; x itself where they tell nothing of it
+inline Smoothed_point smooth_point(const Surface_fit& fit, const Point& x,
+                                   std::size_t expected_neighbors)
+{
+  static thread_local Neighborhood neighborhood;
+  const Smoothed_point unchanged{x, fit.noise * fit.noise};
+  const double radius = smoothing_radius_in_noise * fit.noise;
+  collect_neighbors(fit, x, smoothing_neighborhood, radius, expected_neighbors, neighborhood);
+  if (!(neighborhood.radius > 0.))
+    return unchanged;
+  // The center is a noisy point itself: were the weights to fall within a few sigma, points with the
+  // same error would count most, and confirm it. Where noise is small against the distances of
+  // the points, they fall as in other fits.
+  neighborhood.radius = (std::max)(neighborhood.radius, 2. * radius);
+  neighborhood.weight_by_distance();
+  Local_surface surface;
+  surface.origin = x;
+  surface.n = plane_normal(neighborhood);
+  surface.complete_frame();
+  // further than 4 sigma, noise does not carry a point: it is on another sheet, or the fit is wrong
+  if (!fit_quadric(neighborhood, fit.noise, surface) || !(surface.error < fit.noise) ||
+      !(std::abs(surface.c[0]) <= radius))
+    return unchanged;
+  const double variance = surface.error * surface.error;
+  surface.move_to_foot_point();
+  return {surface.origin, variance};
+}
+
+// Every how many-th point is enough: those in the ball that smooths one are all averaged into it, so
+// that more than a full neighborhood per ball tell the same again. At least two for each sample.
+template <typename ConcurrencyTag>
+std::size_t smoothing_step(const std::vector<double>& inverse_density, double noise,
+                           std::size_t number_of_samples)
+{
+  const std::size_t n = inverse_density.size();
+  const double mean_inverse_density =
+      mean<ConcurrencyTag>(n, [&](std::size_t i) { return inverse_density[i]; });
+  const double radius = smoothing_radius_in_noise * noise;
+  const double points_in_ball = radius * radius / mean_inverse_density;
+  const double step = points_in_ball / static_cast<double>(smoothing_neighborhood);
+  const double largest = static_cast<double>(n) / (2. * static_cast<double>(number_of_samples));
+  return static_cast<std::size_t>((std::max)(1., (std::min)(step, largest)));
+}
+
+// Standard deviation of the noise of smoothed points, and the one of independent noise with which as many
+// points would tell as much of a larger part of the surface
+struct Noise_left
+{
+  double noise;
+  double independent_noise;
+};
+
+// Moves the points onto local surfaces, so that less noise is left and later fits can be narrower: in
+// balls of 7 sigma, shape is lost. Thins points that are dense against the noise.
+template <typename ConcurrencyTag>
+Noise_left smooth_points(std::vector<Point>& points, std::vector<double>& inverse_density,
+                         const Neighbor_search& search, double noise, std::size_t number_of_samples,
+                         const Adaptive_settings& settings, const Progress& progress)
+{
+  const Surface_fit fit{search, points.size(), noise, noise, settings};
+  const double radius = smoothing_radius_in_noise * noise;
+  const std::size_t step =
+      smoothing_step<ConcurrencyTag>(inverse_density, noise, number_of_samples);
+  const std::size_t kept = (points.size() - 1) / step + 1;
+  std::vector<Point> smoothed(kept);
+  std::vector<double> variance(kept), inverse_density_of_kept(kept);
+  for_each_index<ConcurrencyTag>(kept, progress,
+                                 [&](std::size_t i)
+                                 {
+    const std::size_t j = i * step;
+    const double expected = radius * radius / inverse_density[j];
+    const Smoothed_point result =
+        smooth_point(fit, points[j], static_cast<std::size_t>((std::min)(expected, 1e9)));
+    smoothed[i] = result.point;
+    variance[i] = result.variance;
+    inverse_density_of_kept[i] = inverse_density[j] * static_cast<double>(step);
+  });
+  points.swap(smoothed);
+  inverse_density.swap(inverse_density_of_kept);
+  return {std::sqrt(mean<ConcurrencyTag>(kept, [&](std::size_t i) { return variance[i]; })),
+          noise / std::sqrt(static_cast<double>(step))};
+}
+
+} // namespace internal
+} // namespace Curvature_aware_simplification_3
+} // namespace CGAL
+
+#endif // CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_SMOOTH_POINTS_H
