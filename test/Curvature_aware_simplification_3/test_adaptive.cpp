@@ -625,7 +625,7 @@ TEST(Select_along_curve, takes_one_of_each_piece)
   const std::vector<double> weight = {1., 1., 1., 1., 1., 1., 1., 1.};
   for (std::uint64_t seed = 0; seed < 20; ++seed)
   {
-    const std::vector<std::size_t> selected = select_along_curve(weight, 4, seed);
+    const std::vector<std::size_t> selected = select_along_curve<Tag>(weight, 4, seed);
     ASSERT_EQ(selected.size(), 4u);
     for (std::size_t i = 0; i < 4; ++i)
       EXPECT_EQ(selected[i] / 2, i);
@@ -640,7 +640,7 @@ TEST(Select_along_curve, has_probabilities_as_the_weights)
   for (int seed = 0; seed < seeds; ++seed)
   {
     const std::vector<std::size_t> selected =
-        select_along_curve(weight, 2, static_cast<std::uint64_t>(seed));
+        select_along_curve<Tag>(weight, 2, static_cast<std::uint64_t>(seed));
     ASSERT_EQ(selected.size(), 2u);
     for (std::size_t i : selected)
       frequency[i] += 1. / seeds;
@@ -651,9 +651,9 @@ TEST(Select_along_curve, has_probabilities_as_the_weights)
 
 TEST(Select_along_curve, is_exact_for_extreme_weights)
 {
-  EXPECT_EQ(select_along_curve({0., 0., 1e9, 0., 0.}, 3, 1).size(), 3u);
-  EXPECT_EQ(select_along_curve({1., 0., 0., 0., 0.}, 5, 1).size(), 5u);
-  EXPECT_EQ(select_along_curve({0., 0., 0., 1e-300}, 2, 1).size(), 2u);
+  EXPECT_EQ(select_along_curve<Tag>({0., 0., 1e9, 0., 0.}, 3, 1).size(), 3u);
+  EXPECT_EQ(select_along_curve<Tag>({1., 0., 0., 0., 0.}, 5, 1).size(), 5u);
+  EXPECT_EQ(select_along_curve<Tag>({0., 0., 0., 1e-300}, 2, 1).size(), 2u);
 }
 
 TEST(Adaptive, lies_on_the_surface)

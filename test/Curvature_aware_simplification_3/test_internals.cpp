@@ -11,6 +11,7 @@
 #include <CGAL/Curvature_aware_simplification_3/internal/parameters.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/relax.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/sample_spacing.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/scan.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/select_along_curve.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/select_points.h>
 #include <CGAL/estimate_surface_variation.h>
@@ -451,7 +452,40 @@ TEST(Loops, count_in_64_bits)
 
   static_assert(sizeof(decltype(Cloud::input_index)::value_type) == 8, "indices of input points");
   static_assert(sizeof(decltype(Cloud::distinct_index)::value_type) == 8, "of distinct points");
-  static_assert(sizeof(decltype(select_along_curve({}, 0, 0))::value_type) == 8, "of samples");
+  static_assert(sizeof(decltype(select_along_curve<Tag>({}, 0, 0))::value_type) == 8, "of samples");
+}
+
+// sizes around that of a block, in which the rounds meet
+TEST(Scan, finds_indices_in_order)
+{
+  for (std::size_t size : {0u, 1u, 4095u, 4096u, 4097u, 100003u})
+  {
+    std::vector<std::size_t> expected;
+    for (std::size_t i = 0; i < size; ++i)
+      if (i % 7 == 3 || i / 4096 == 2)
+        expected.push_back(i);
+    const auto predicate = [](std::size_t i) { return i % 7 == 3 || i / 4096 == 2; };
+    EXPECT_EQ(indices_where<Tag>(size, predicate), expected);
+    EXPECT_EQ(indices_where<CGAL::Sequential_tag>(size, predicate), expected);
+  }
+  EXPECT_EQ(elements_at<Tag>({2, 0}, std::vector<int>{7, 8, 9}), (std::vector<int>{9, 7}));
+}
+
+TEST(Scan, sums_up)
+{
+  for (std::size_t size : {0u, 1u, 4096u, 4097u, 100003u})
+  {
+    std::vector<double> values(size), expected(size);
+    double sum = 0.;
+    for (std::size_t i = 0; i < size; ++i)
+      expected[i] = sum += values[i] = static_cast<double>(i % 11); // exact: integers
+    sum_up<Tag>(values);
+    EXPECT_EQ(values, expected);
+  }
+  std::vector<double> parallel(100003, 0.1), sequential(100003, 0.1);
+  sum_up<Tag>(parallel);
+  sum_up<CGAL::Sequential_tag>(sequential);
+  EXPECT_EQ(parallel, sequential);
 }
 
 TEST(Loops, sums_do_not_depend_on_the_tag)

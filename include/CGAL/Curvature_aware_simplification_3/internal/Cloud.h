@@ -9,6 +9,7 @@
 #include <CGAL/Curvature_aware_simplification_3/internal/Frame.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Neighbor_search.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/loops.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/scan.h>
 
 #include <CGAL/Bbox_3.h>
 #include <CGAL/Spatial_sort_traits_adapter_3.h>
@@ -83,15 +84,19 @@ Cloud make_cloud(std::vector<Point> coordinates, double relative_error)
   });
   coordinates = std::vector<Point>();
   sort<ConcurrencyTag>(sorted.begin(), sorted.end(), std::less<Point_and_index>());
+  const std::vector<std::size_t> first_of_equals = indices_where<ConcurrencyTag>(
+      n, [&](std::size_t i) { return i == 0 || sorted[i].first != sorted[i - 1].first; });
+  const std::size_t distinct = first_of_equals.size();
   std::vector<std::size_t> first_equal(n);
-  std::size_t distinct = 0;
-  for (const Point_and_index& p : sorted)
-  {
-    if (distinct == 0 || sorted[distinct - 1].first != p.first)
-      sorted[distinct++] = p;
-    first_equal[p.second] = sorted[distinct - 1].second;
-  }
-  sorted.resize(distinct);
+  for_each_index<ConcurrencyTag>(0, distinct,
+                                 [&](std::size_t i)
+                                 {
+    const std::size_t end = i + 1 < distinct ? first_of_equals[i + 1] : n;
+    for (std::size_t j = first_of_equals[i]; j < end; ++j)
+      first_equal[sorted[j].second] = sorted[first_of_equals[i]].second;
+  });
+  if (distinct < n)
+    sorted = elements_at<ConcurrencyTag>(first_of_equals, sorted);
 
   using Sort_traits = Spatial_sort_traits_adapter_3<Computation_kernel,
                                                     First_of_pair_property_map<Point_and_index>>;

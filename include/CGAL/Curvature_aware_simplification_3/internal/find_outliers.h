@@ -9,6 +9,7 @@
 #include <CGAL/Curvature_aware_simplification_3/internal/Cloud.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/features.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/loops.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/scan.h>
 
 #include <algorithm>
 #include <atomic>
@@ -22,18 +23,19 @@ namespace Curvature_aware_simplification_3 {
 namespace internal {
 
 // Marks those that have less votes than needed, and returns them.
-inline std::vector<std::size_t>
+template <typename ConcurrencyTag>
+std::vector<std::size_t>
 mark_those_with_less_votes(const std::vector<std::atomic<std::uint32_t>>& votes,
                            std::size_t needed_votes, std::vector<std::uint8_t>& is_outlier)
 {
-  std::vector<std::size_t> found;
-  for (std::size_t i = 0; i < votes.size(); ++i)
-    if (!is_outlier[i] && votes[i].load(std::memory_order_relaxed) < needed_votes)
-    {
-      is_outlier[i] = 1;
-      found.push_back(i);
-    }
-  return found;
+  return indices_where<ConcurrencyTag>(votes.size(),
+                                       [&](std::size_t i)
+                                       {
+    if (is_outlier[i] != 0 || votes[i].load(std::memory_order_relaxed) >= needed_votes)
+      return false;
+    is_outlier[i] = 1;
+    return true;
+  });
 }
 
 // Which points do not belong to a surface: 1 for outliers. Takes
@@ -90,20 +92,18 @@ std::vector<std::uint8_t> find_outliers(const Cloud& cloud, const Neighbor_searc
                                 [&](std::size_t j, const Point&, double)
                                 { votes[j].fetch_sub(1, std::memory_order_relaxed); });
       });
-      found = mark_those_with_less_votes(votes, few_votes, is_outlier);
+      found = mark_those_with_less_votes<ConcurrencyTag>(votes, few_votes, is_outlier);
     }
   };
-  std::vector<std::size_t> found;
-  for (std::size_t i = 0; i < n; ++i)
-    if (is_outlier[i])
-      found.push_back(i);
+  std::vector<std::size_t> found =
+      indices_where<ConcurrencyTag>(n, [&](std::size_t i) { return is_outlier[i] != 0; });
   // Where there are more than a few outliers, some hide near the surface, between its corners' votes
   // and those of points farther off: a second look asks for half of the votes. Only once, because a
   // border has little more than half; asked again and again, border after border would go.
   const bool are_many = found.size() > n / 1000;
   take_votes_back(std::move(found));
   if (are_many)
-    take_votes_back(mark_those_with_less_votes(votes, k / 2, is_outlier));
+    take_votes_back(mark_those_with_less_votes<ConcurrencyTag>(votes, k / 2, is_outlier));
   return is_outlier;
 }
 

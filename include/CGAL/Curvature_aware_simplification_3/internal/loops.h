@@ -50,12 +50,14 @@ void for_each_index(std::size_t size, const Progress& progress, const Kernel& ke
   }
 }
 
+// Points of a block: long against a task's overhead, short against any input
+constexpr std::size_t block_size = 4096;
+
 // combine(... combine(combine(identity, value(0)), value(1)) ...) over [0, size), associated in
 // blocks of fixed length: rounding is the same for every tag and number of threads.
 template <typename ConcurrencyTag, typename T, typename Value, typename Combine>
 T reduce_indices(std::size_t size, const T& identity, const Value& value, const Combine& combine)
 {
-  const std::size_t block_size = 4096; // long against a task's overhead, short against any input
   std::vector<T> partial_results((size + block_size - 1) / block_size, identity);
   for_each_index<ConcurrencyTag>(0, partial_results.size(),
                                  [&](std::size_t block)

@@ -7,7 +7,10 @@
 #define CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_SELECT_ALONG_CURVE_H
 
 #include <CGAL/Curvature_aware_simplification_3/internal/counter_based_random.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/loops.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/scan.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -21,27 +24,29 @@ namespace internal {
 // one point is taken of each. Independent draws (paper, sec. 4.1) have the same probabilities, but
 // leave clusters and gaps, and must be trimmed to the count; here every compact piece of the surface
 // gets its share up to one sample.
-inline std::vector<std::size_t> select_along_curve(const std::vector<double>& weight,
-                                                   std::size_t number, std::uint64_t seed)
+template <typename ConcurrencyTag>
+std::vector<std::size_t> select_along_curve(std::vector<double> weight, std::size_t number,
+                                            std::uint64_t seed)
 {
-  double total = 0.;
-  for (double w : weight)
-    total += w;
-  const double piece = total / static_cast<double>(number);
+  sum_up<ConcurrencyTag>(weight);
+  const std::vector<double>& sum = weight;
+  const double piece = sum.back() / static_cast<double>(number);
   const double offset = Counter_based_random(seed, 0).uniform(0);
 
-  std::vector<std::size_t> selected;
-  selected.reserve(number);
-  double sum = 0.;
-  for (std::size_t i = 0; i < weight.size() && selected.size() < number; ++i)
+  std::vector<std::size_t> selected(number);
+  for_each_index<ConcurrencyTag>(0, number,
+                                 [&](std::size_t j)
+                                 {
+    const double wanted = (static_cast<double>(j) + offset) * piece;
+    selected[j] =
+        static_cast<std::size_t>(std::upper_bound(sum.begin(), sum.end(), wanted) - sum.begin());
+  });
+  // a point heavier than a piece is taken once, and rounding may ask for more than there are
+  for (std::size_t j = 0; j < number; ++j)
   {
-    sum += weight[i];
-    const std::size_t still_missing = number - selected.size();
-    const std::size_t still_there = weight.size() - i;
-    // the second condition: heavy points, and rounding, may leave too few for the rest
-    if (sum > (static_cast<double>(selected.size()) + offset) * piece ||
-        still_there <= still_missing)
-      selected.push_back(i);
+    if (j > 0)
+      selected[j] = (std::max)(selected[j], selected[j - 1] + 1);
+    selected[j] = (std::min)(selected[j], sum.size() - (number - j));
   }
   return selected;
 }

@@ -16,6 +16,7 @@
 #include <CGAL/Curvature_aware_simplification_3/internal/parameters.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/relax_on_surface.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/sampling_density.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/scan.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/select_along_curve.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/select_points.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/smooth_points.h>
@@ -26,27 +27,12 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace Curvature_aware_simplification_3 {
 namespace internal {
-
-// Removes the flagged points from the cloud, with their density
-inline void remove_outliers(const std::vector<std::uint8_t>& is_outlier, std::vector<Point>& points,
-                            std::vector<double>& inverse_density)
-{
-  std::size_t kept = 0;
-  for (std::size_t i = 0; i < points.size(); ++i)
-    if (!is_outlier[i])
-    {
-      points[kept] = points[i];
-      inverse_density[kept] = inverse_density[i];
-      ++kept;
-    }
-  points.resize(kept);
-  inverse_density.resize(kept);
-}
 
 // The samples, in the frame. All that the stages need is measured in the input: outliers, noise,
 // density, curvature at the distance of the samples. Takes what it is given, and lets go of each part
@@ -71,13 +57,21 @@ Distinct_samples simplify_adaptively(Cloud cloud, std::unique_ptr<Neighbor_searc
     const std::size_t k = neighborhood_size(parameters.number_of_neighbors, distinct) - 1;
     const std::vector<std::uint8_t> is_outlier =
         find_outliers<ConcurrencyTag>(cloud, *search, features, k);
+    features.curvature = std::vector<double>();
+    features.votes = std::vector<std::uint32_t>();
     const std::size_t outliers =
-        static_cast<std::size_t>(std::count(is_outlier.begin(), is_outlier.end(), 1));
+        indices_where<ConcurrencyTag>(distinct,
+                                      [&](std::size_t i) {
+      return is_outlier[i] != 0;
+        }).size();
     // What most points are is no outlier, and each sample needs a point to start from.
     if (outliers > 0 && distinct - outliers >= (std::max)(number_of_samples, distinct / 2))
     {
       search.reset();
-      remove_outliers(is_outlier, points, features.inverse_density);
+      const std::vector<std::size_t> kept = indices_where<ConcurrencyTag>(
+          distinct, [&](std::size_t i) { return is_outlier[i] == 0; });
+      points = elements_at<ConcurrencyTag>(kept, points);
+      features.inverse_density = elements_at<ConcurrencyTag>(kept, features.inverse_density);
       search.reset(new Neighbor_search(points, ConcurrencyTag()));
     }
   }
@@ -107,13 +101,16 @@ Distinct_samples simplify_adaptively(Cloud cloud, std::unique_ptr<Neighbor_searc
   std::vector<Surface_sample> samples(number_of_samples);
   std::vector<std::size_t> selected;
   {
-    const Sampling_density wanted = sampling_density<ConcurrencyTag>(
+    Sampling_density wanted = sampling_density<ConcurrencyTag>(
         points, *search, features.inverse_density, number_of_samples, parameters.adaptivity,
         left.noise, cloud.coordinate_error, settings, progress.part(0.2, 0.3));
     features = Features();
-    selected = select_along_curve(wanted.weight, number_of_samples, parameters.random_seed);
-    for (std::size_t i = 0; i < samples.size(); ++i)
+    selected = select_along_curve<ConcurrencyTag>(std::move(wanted.weight), number_of_samples,
+                                                  parameters.random_seed);
+    for_each_index<ConcurrencyTag>(0, samples.size(),
+                                   [&](std::size_t i) {
       samples[i].spacing = lattice_spacing(wanted.density[selected[i]]);
+    });
   }
   report.selection_time = stopwatch.lap();
 

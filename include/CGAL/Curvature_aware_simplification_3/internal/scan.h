@@ -1,0 +1,85 @@
+// Copyright (c) 2026 The authors of Curvature_aware_simplification_3.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_SCAN_H
+#define CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_SCAN_H
+
+#include <CGAL/Curvature_aware_simplification_3/internal/loops.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <vector>
+
+// Passes in which each element depends on all before it, in two parallel rounds: blocks by themselves,
+// and then with what comes before them.
+
+namespace CGAL {
+namespace Curvature_aware_simplification_3 {
+namespace internal {
+
+// The i in [0, size) for which predicate(i) holds, in order
+template <typename ConcurrencyTag, typename Predicate>
+std::vector<std::size_t> indices_where(std::size_t size, const Predicate& predicate)
+{
+  std::vector<std::vector<std::size_t>> found((size + block_size - 1) / block_size);
+  for_each_index<ConcurrencyTag>(0, found.size(),
+                                 [&](std::size_t block)
+                                 {
+    for (std::size_t i = block * block_size; i < (std::min)(size, (block + 1) * block_size); ++i)
+      if (predicate(i))
+        found[block].push_back(i);
+  });
+
+  std::vector<std::size_t> first(found.size() + 1, 0); // position in the result, of each block
+  for (std::size_t block = 0; block < found.size(); ++block)
+    first[block + 1] = first[block] + found[block].size();
+  std::vector<std::size_t> result(first.back());
+  for_each_index<ConcurrencyTag>(0, found.size(),
+                                 [&](std::size_t block)
+                                 {
+    std::copy(found[block].begin(), found[block].end(),
+              result.begin() + static_cast<std::ptrdiff_t>(first[block]));
+  });
+  return result;
+}
+
+template <typename ConcurrencyTag, typename T>
+std::vector<T> elements_at(const std::vector<std::size_t>& indices, const std::vector<T>& elements)
+{
+  std::vector<T> result(indices.size());
+  for_each_index<ConcurrencyTag>(0, indices.size(),
+                                 [&](std::size_t i) { result[i] = elements[indices[i]]; });
+  return result;
+}
+
+// Replaces each value by the sum of all up to it, associated in blocks as above
+template <typename ConcurrencyTag>
+void sum_up(std::vector<double>& values)
+{
+  std::vector<double> before((values.size() + block_size - 1) / block_size + 1, 0.);
+  for_each_index<ConcurrencyTag>(0, before.size() - 1,
+                                 [&](std::size_t block)
+                                 {
+    const std::size_t end = (std::min)(values.size(), (block + 1) * block_size);
+    for (std::size_t i = block * block_size; i < end; ++i)
+      before[block + 1] += values[i];
+  });
+  for (std::size_t block = 1; block < before.size(); ++block)
+    before[block] += before[block - 1];
+  for_each_index<ConcurrencyTag>(0, before.size() - 1,
+                                 [&](std::size_t block)
+                                 {
+    const std::size_t end = (std::min)(values.size(), (block + 1) * block_size);
+    double sum = before[block];
+    for (std::size_t i = block * block_size; i < end; ++i)
+      values[i] = sum += values[i];
+  });
+}
+
+} // namespace internal
+} // namespace Curvature_aware_simplification_3
+} // namespace CGAL
+
+#endif // CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_SCAN_H
