@@ -22,6 +22,7 @@
 #endif
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <cstdlib>
 #include <functional>
@@ -77,6 +78,17 @@ Points make_input(const std::string& name, std::size_t size)
     {
       const double x = random.uniform_real(-4.4, 4.4), y = random.uniform_real(-4.4, 4.4);
       points.emplace_back(x, y, random.uniform_real(-1.1, 1.1));
+    }
+  }
+  else if (name == "noise" || name == "layer") // Gaussian, of one and of ten spacings of the points
+  {
+    const double area = 12. * CGAL_PI * CGAL_PI;
+    const double sigma = (name == "noise" ? 1. : 10.) * std::sqrt(area / static_cast<double>(size));
+    for (const Point& p : torus(size))
+    {
+      const double x = surfaces::normal_deviate(random), y = surfaces::normal_deviate(random);
+      points.emplace_back(p.x() + sigma * x, p.y() + sigma * y,
+                          p.z() + sigma * surfaces::normal_deviate(random));
     }
   }
   else
@@ -158,7 +170,7 @@ try
   po::options_description options("Options");
   options.add_options()("help", "this text");
   options.add_options()("input", po::value(&input)->default_value("torus"),
-                        "torus, duplicates, line, clusters or outliers");
+                        "torus, duplicates, line, clusters, outliers, noise or layer");
   options.add_options()("points", po::value(&size)->default_value(1000000), "of the input");
   options.add_options()("output-points", po::value(&n)->default_value(50000), "asked for");
   options.add_options()("neighbors", po::value(&neighbors)->default_value(16),
