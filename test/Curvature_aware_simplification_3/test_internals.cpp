@@ -486,6 +486,7 @@ TEST(Scan, sums_up)
   sum_up<Tag>(parallel);
   sum_up<CGAL::Sequential_tag>(sequential);
   EXPECT_EQ(parallel, sequential);
+  EXPECT_TRUE(std::is_sorted(parallel.begin(), parallel.end()));
 }
 
 TEST(Loops, sums_do_not_depend_on_the_tag)

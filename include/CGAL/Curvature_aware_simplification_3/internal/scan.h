@@ -54,7 +54,8 @@ std::vector<T> elements_at(const std::vector<std::size_t>& indices, const std::v
   return result;
 }
 
-// Replaces each value by the sum of all up to it, associated in blocks as above
+// Replaces each value, none of them negative, by the sum of all up to it. The sums do not fall: where one
+// block ends, rounding may put its last sum above what the next one starts from.
 template <typename ConcurrencyTag>
 void sum_up(std::vector<double>& values)
 {
@@ -74,7 +75,7 @@ void sum_up(std::vector<double>& values)
     const std::size_t end = (std::min)(values.size(), (block + 1) * block_size);
     double sum = before[block];
     for (std::size_t i = block * block_size; i < end; ++i)
-      values[i] = sum += values[i];
+      values[i] = (std::min)(sum += values[i], before[block + 1]);
   });
 }
 

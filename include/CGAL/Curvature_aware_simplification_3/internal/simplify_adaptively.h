@@ -12,6 +12,7 @@
 #include <CGAL/Curvature_aware_simplification_3/internal/denoise_samples.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/features.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/find_outliers.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/loops.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/noise_level.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/parameters.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/relax_on_surface.h>
@@ -26,6 +27,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <utility>
 #include <vector>
@@ -59,11 +61,9 @@ Distinct_samples simplify_adaptively(Cloud cloud, std::unique_ptr<Neighbor_searc
         find_outliers<ConcurrencyTag>(cloud, *search, features, k);
     features.curvature = std::vector<double>();
     features.votes = std::vector<std::uint32_t>();
-    const std::size_t outliers =
-        indices_where<ConcurrencyTag>(distinct,
-                                      [&](std::size_t i) {
-      return is_outlier[i] != 0;
-        }).size();
+    const std::size_t outliers = reduce_indices<ConcurrencyTag>(
+        distinct, std::size_t(0), [&](std::size_t i) { return std::size_t(is_outlier[i]); },
+        std::plus<std::size_t>());
     // What most points are is no outlier, and each sample needs a point to start from.
     if (outliers > 0 && distinct - outliers >= (std::max)(number_of_samples, distinct / 2))
     {
