@@ -71,8 +71,8 @@ inline Surface_border find_border(Neighborhood& neighborhood, const Local_surfac
       border.limit = (std::max)(border.limit, a * border.x + b * border.y);
   }
   // The last of random points is short of the end by the length that holds one point: 1 / (density x
-  // width), for k points in a disk and a strip as wide as R: pi R / k
-  border.limit += CGAL_PI * neighborhood.radius / static_cast<double>(neighborhood.size());
+  // width), for k points in half a disk and a strip as wide as R: pi R / 2 k
+  border.limit += 0.5 * CGAL_PI * neighborhood.radius / static_cast<double>(neighborhood.size());
   return border;
 }
 
