@@ -389,7 +389,7 @@ Smoothed smoothed(const std::vector<Point>& points, double noise, std::size_t nu
         local_features<CGAL::Default_diagonalize_traits<double, 3>>(search, points[i], 17, 0.)
             .inverse_density;
   result.noise = smooth_points<Tag>(result.points, result.inverse_density, search, noise,
-                                    number_of_samples, Adaptive_settings(), Progress(no_callback))
+                                    number_of_samples, Progress(no_callback))
                      .noise;
   return result;
 }
@@ -428,8 +428,13 @@ TEST(Smoothing, takes_part_of_the_points_that_are_dense_against_the_noise)
 
 TEST(Smoothing, leaves_alone_what_noise_does_not_explain)
 {
-  std::vector<Point> points = with_noise(surfaces::square(20000, 74), 0.005, 75);
-  points[7] = Point(0.5, 0.5, 0.1); // 20 sigma off
+  // 10 sigma off, but less than the radius of its neighborhood: the fit knows the surface below
+  std::vector<Point> points = with_noise(surfaces::square(20000, 74), 0.0005, 75);
+  points[7] = Point(0.5, 0.5, 0.005);
+  EXPECT_EQ(smoothed(points, 0.0005, 2000).points[7], points[7]);
+  // 20 sigma off, and farther than its neighbors from each other: the fit knows little
+  points = with_noise(surfaces::square(20000, 74), 0.005, 75);
+  points[7] = Point(0.5, 0.5, 0.1);
   const Point moved = smoothed(points, 0.005, 2000).points[7];
   EXPECT_LT(CGAL::squared_distance(moved, points[7]), 0.005 * 0.005);
 }
@@ -651,9 +656,10 @@ TEST(Select_along_curve, has_probabilities_as_the_weights)
 
 TEST(Select_along_curve, is_exact_for_extreme_weights)
 {
-  EXPECT_EQ(select_along_curve<Tag>({0., 0., 1e9, 0., 0.}, 3, 1).size(), 3u);
-  EXPECT_EQ(select_along_curve<Tag>({1., 0., 0., 0., 0.}, 5, 1).size(), 5u);
-  EXPECT_EQ(select_along_curve<Tag>({0., 0., 0., 1e-300}, 2, 1).size(), 2u);
+  using Indices = std::vector<std::size_t>;
+  EXPECT_EQ(select_along_curve<Tag>({0., 0., 1e9, 0., 0.}, 3, 1), (Indices{2, 3, 4}));
+  EXPECT_EQ(select_along_curve<Tag>({1., 0., 0., 0., 0.}, 5, 1), (Indices{0, 1, 2, 3, 4}));
+  EXPECT_EQ(select_along_curve<Tag>({0., 0., 0., 1e-300}, 2, 1), (Indices{2, 3}));
 }
 
 TEST(Adaptive, lies_on_the_surface)

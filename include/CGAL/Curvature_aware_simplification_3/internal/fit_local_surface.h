@@ -26,6 +26,8 @@ struct Surface_fit
   double noise;                 // standard deviation sigma of their noise
   double independent_noise;     // with which a fit would err as much: larger if points share noise
   Adaptive_settings settings = Adaptive_settings();
+
+  bool points_share_noise() const { return noise < independent_noise; }
 };
 
 // 18 neighbors, two rings around a point: three for each coefficient of a quadric
@@ -104,10 +106,20 @@ inline void collect_neighbors(const Surface_fit& fit, const Point& x,
 // measured on spheres.
 inline double error_of_fit(const Surface_fit& fit, double error)
 {
-  if (!(fit.noise < fit.independent_noise && error > 0.))
+  if (!(fit.points_share_noise() && error > 0.))
     return error;
   const double ratio = error / fit.noise;
   return error / std::sqrt(std::sqrt(1. + ratio * ratio * ratio * ratio));
+}
+
+// The quadric as in fit_quadric.h, with the error for points that may share their noise
+inline bool fit_quadric(const Surface_fit& fit, const Neighborhood& neighborhood,
+                        Local_surface& surface)
+{
+  if (!fit_quadric(neighborhood, fit.independent_noise, surface))
+    return false;
+  surface.error = error_of_fit(fit, surface.error);
+  return true;
 }
 
 // Whether the ball is about as narrow as the noise allows
@@ -171,8 +183,7 @@ inline Local_surface fit_local_surface(const Surface_fit& fit, const Point& x, c
       weight_by_distance();
       for (Neighborhood::Neighbor& neighbor : neighborhood.neighbors)
         neighbor.weight *= robust_weight(fitted.residual(neighbor.position), fitted.spread);
-      success = fit_quadric(neighborhood, fit.independent_noise, fitted);
-      fitted.error = error_of_fit(fit, fitted.error);
+      success = fit_quadric(fit, neighborhood, fitted);
     }
     if (!success)
       return surface;
@@ -206,20 +217,17 @@ inline bool widen(const Surface_fit& fit, const Neighborhood& wide, double radiu
     const double h = neighbor.position * surface.n;
     return neighbor.squared_distance - h * h;
   });
-  // a narrow fit to smoothed points follows their noise, and shows less of it than there is
-  const double spread = fit.noise < fit.independent_noise
-                            ? (std::max)(surface.spread, 2. * fit.noise)
-                            : surface.spread;
+  // A narrow fit to smoothed points follows their noise, and shows less of it than there is: with 1.5 to
+  // 3 times what is left, the results are the same, and with less, points of the same sheet are lost.
+  const double spread =
+      fit.points_share_noise() ? (std::max)(surface.spread, 2. * fit.noise) : surface.spread;
   for (Neighborhood::Neighbor& neighbor : neighborhood.neighbors)
     neighbor.weight *=
         robust_weight(surface.residual(neighbor.position), spread, residual_scale_of_wider);
   Local_surface wider = surface;
   wider.radius = neighborhood.radius;
   wider.neighbors = neighborhood.size();
-  if (!fit_quadric(neighborhood, fit.independent_noise, wider))
-    return false;
-  wider.error = error_of_fit(fit, wider.error);
-  if (!(wider.error < surface.error))
+  if (!fit_quadric(fit, neighborhood, wider) || !(wider.error < surface.error))
     return false;
   wider.move_to_foot_point();
   surface = wider;

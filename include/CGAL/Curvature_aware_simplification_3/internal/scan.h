@@ -19,7 +19,7 @@ namespace CGAL {
 namespace Curvature_aware_simplification_3 {
 namespace internal {
 
-// The i in [0, size) for which predicate(i) holds, in order
+// The i in [0, size) for which predicate(i), called once for each, holds; in order
 template <typename ConcurrencyTag, typename Predicate>
 std::vector<std::size_t> indices_where(std::size_t size, const Predicate& predicate)
 {

@@ -91,7 +91,7 @@ Distinct_samples simplify_adaptively(Cloud cloud, std::unique_ptr<Neighbor_searc
   if (settings.smooth_points && noise_is_visible)
   {
     left = smooth_points<ConcurrencyTag>(points, features.inverse_density, *search, noise,
-                                         number_of_samples, settings, progress.part(0., 0.2));
+                                         number_of_samples, progress.part(0., 0.2));
     search.reset();
     search.reset(new Neighbor_search(points, ConcurrencyTag()));
   }

@@ -21,7 +21,8 @@ namespace Curvature_aware_simplification_3 {
 namespace internal {
 
 // The neighbors of a point by which it is smoothed: 24, four for each coefficient of a quadric, or all
-// within so many sigma. A narrower ball around a noisy point sees no layer.
+// within so many sigma. A much narrower ball around a noisy point sees no layer; from 2.5 to 5, the
+// results are the same.
 constexpr std::size_t smoothing_neighborhood = 25;
 constexpr double smoothing_radius_in_noise = 4.;
 
@@ -89,9 +90,9 @@ struct Noise_left
 template <typename ConcurrencyTag>
 Noise_left smooth_points(std::vector<Point>& points, std::vector<double>& inverse_density,
                          const Neighbor_search& search, double noise, std::size_t number_of_samples,
-                         const Adaptive_settings& settings, const Progress& progress)
+                         const Progress& progress)
 {
-  const Surface_fit fit{search, points.size(), noise, noise, settings};
+  const Surface_fit fit{search, points.size(), noise, noise};
   const double radius = smoothing_radius_in_noise * noise;
   const std::size_t step =
       smoothing_step<ConcurrencyTag>(inverse_density, noise, number_of_samples);
