@@ -24,16 +24,18 @@ IDEAS = [
     ("points not smoothed first", "smooth_points=0"),
     ("balls of fits not moved to foot points", "moves_to_foot_point=0"),
     ("narrowest fits only", "denoise=0"),
+    ("samples not moved to sharp edges", "move_to_edges=0"),
 ]
 MEASURES = [("recon_mean", "mean"), ("recon_p99", "p99"), ("recon_max", "max"),
             ("distance_mean", "Δ mean")]
 
 
 def cases(igea, meshes):
-    """a head, an animal with thin parts, sharp and rounded edges, open terrain"""
+    """a head, an animal with thin parts, sharp edges, rounded edges, open terrain"""
     shapes = [(str(igea), None)] if igea else []
-    shapes += [(str(meshes / "refined_elephant.off"), 60000), ("rounded_box", 40000),
-               ("wavy_patch", 40000)]
+    shapes += [(str(meshes / "refined_elephant.off"), 60000),
+               (str(meshes / "anchor_dense.off"), 40000),
+               ("rounded_box", 40000), ("wavy_patch", 40000)]
     for source, sample in shapes:
         for degradation in DEGRADATIONS:
             sparse = degradation == "sparse"

@@ -225,6 +225,7 @@ Setting with_parameters(const std::string& parameters)
   set("keep_borders", settings.keep_borders);
   set("moves_to_foot_point", settings.moves_to_foot_point);
   set("denoise", settings.denoise);
+  set("move_to_edges", settings.move_to_edges);
 
   return {parameters, [=](const Task& given)
           {

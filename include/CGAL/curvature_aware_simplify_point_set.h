@@ -39,6 +39,7 @@ input:
    borders.
 -# Where there is noise, samples move towards fits to more neighbors, as far as noise explains the
    difference.
+-# Samples next to a sharp edge move onto it.
 
 What was found is told by `simplification_report`. The manual has the details.
 

@@ -7,7 +7,9 @@
 #include <CGAL/Curvature_aware_simplification_3/internal/denoise_samples.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/features.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/find_outliers.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/fit_fold.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/fit_local_surface.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/move_to_edges.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/noise_level.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/relax_on_surface.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/sampling_density.h>
@@ -377,19 +379,24 @@ struct Smoothed
 {
   std::vector<Point> points;
   std::vector<double> inverse_density;
+  std::vector<std::uint8_t> is_bent;
   double noise;
 };
 
 Smoothed smoothed(const std::vector<Point>& points, double noise, std::size_t number_of_samples)
 {
   const Neighbor_search search(points, Tag());
-  Smoothed result{points, std::vector<double>(points.size()), 0.};
+  Smoothed result{points, std::vector<double>(points.size()),
+                  std::vector<std::uint8_t>(points.size()), 0.};
   for (std::size_t i = 0; i < points.size(); ++i)
+  {
     result.inverse_density[i] =
         local_features<CGAL::Default_diagonalize_traits<double, 3>>(search, points[i], 17, 0.)
             .inverse_density;
-  result.noise = smooth_points<Tag>(result.points, result.inverse_density, search, noise,
-                                    number_of_samples, Progress(no_callback))
+    result.is_bent[i] = points[i].x() > 0.5 ? 1 : 0;
+  }
+  result.noise = smooth_points<Tag>(result.points, result.inverse_density, result.is_bent, search,
+                                    noise, number_of_samples, Progress(no_callback))
                      .noise;
   return result;
 }
@@ -424,6 +431,13 @@ TEST(Smoothing, takes_part_of_the_points_that_are_dense_against_the_noise)
   EXPECT_EQ(many.points.size(), 50000u);
   EXPECT_NEAR(area(few.inverse_density) / area(many.inverse_density), 1., 0.05);
   EXPECT_EQ(smoothed(points, 0.02, 90000).points.size(), 100000u);
+  // what is known of a point stays with it; it moves by 4 sigma at most
+  ASSERT_EQ(few.is_bent.size(), few.points.size());
+  for (std::size_t i = 0; i < few.points.size(); ++i)
+    if (std::abs(few.points[i].x() - 0.5) > 0.08)
+    {
+      EXPECT_EQ(few.is_bent[i], few.points[i].x() > 0.5 ? 1 : 0);
+    }
 }
 
 TEST(Smoothing, leaves_alone_what_noise_does_not_explain)
@@ -660,6 +674,168 @@ TEST(Select_along_curve, is_exact_for_extreme_weights)
   EXPECT_EQ(select_along_curve<Tag>({0., 0., 1e9, 0., 0.}, 3, 1), (Indices{2, 3, 4}));
   EXPECT_EQ(select_along_curve<Tag>({1., 0., 0., 0., 0.}, 5, 1), (Indices{0, 1, 2, 3, 4}));
   EXPECT_EQ(select_along_curve<Tag>({0., 0., 0., 1e-300}, 2, 1), (Indices{2, 3}));
+}
+
+// two half planes that meet in the y-axis, one of them z = 0, with the angle between their normals
+std::vector<Point> folded(std::size_t n, unsigned int seed, double angle)
+{
+  std::vector<Point> points = surfaces::square(n, seed);
+  for (Point& p : points)
+  {
+    const double x = p.x() - 0.5, y = p.y() - 0.5;
+    p = x < 0. ? Point(x, y, 0.) : Point(x * std::cos(angle), y, -x * std::sin(angle));
+  }
+  return points;
+}
+
+Neighborhood neighborhood_of(const std::vector<Point>& points, const Point& center, std::size_t k)
+{
+  Neighborhood neighborhood;
+  neighborhood.collect(Neighbor_search(points, Tag()), center, k);
+  return neighborhood;
+}
+
+TEST(Fold, has_an_edge)
+{
+  // x = 1 and y = 2 meet in a line, nearest to the origin at (1, 2, 0)
+  Fold fold;
+  fold.planes[0] = {Vector(1., 0., 0.), 1.};
+  fold.planes[1] = {Vector(0., 1., 0.), 2.};
+  EXPECT_EQ(fold.way_to_edge(Vector(0., 0., 0.)), Vector(1., 2., 0.));
+  EXPECT_EQ(fold.way_to_edge(Vector(1., 2., 5.)), Vector(0., 0., 0.));
+  EXPECT_EQ(fold.distance(Vector(0.5, 0., 0.)), 0.5);
+  // x = 0 and x + z = 1, normals 45 degrees apart, meet in z = 1
+  const double r = std::sqrt(0.5);
+  fold.planes[0] = {Vector(1., 0., 0.), 0.};
+  fold.planes[1] = {Vector(r, 0., r), r};
+  const Vector way = fold.way_to_edge(Vector(0.5, 7., -1.));
+  EXPECT_NEAR(way.x(), -0.5, 1e-14);
+  EXPECT_NEAR(way.y(), 0., 1e-14);
+  EXPECT_NEAR(way.z(), 2., 1e-14);
+}
+
+TEST(Fold, is_fitted_exactly)
+{
+  for (double angle : {0.9, 1.57, 2.2}) // of 0.79 to 2.36
+    for (double x : {-0.01, 0., 0.01})  // 33 points are in a ball of 0.1
+    {
+      const std::vector<Point> points = folded(1000, 80, angle);
+      const Point center(std::min(x, x * std::cos(angle)), 0.1, x > 0. ? -x * std::sin(angle) : 0.);
+      Neighborhood neighborhood = neighborhood_of(points, center, 33);
+      Fold fold;
+      ASSERT_TRUE(fit_fold(neighborhood, 0.03 * neighborhood.radius, fold)) << angle << ' ' << x;
+      const Point on_edge = center + fold.way_to_edge(Vector(0., 0., 0.));
+      EXPECT_NEAR(on_edge.x(), 0., 1e-9);
+      EXPECT_NEAR(on_edge.y(), 0.1, 1e-9);
+      EXPECT_NEAR(on_edge.z(), 0., 1e-9);
+    }
+}
+
+TEST(Fold, is_fitted_to_noisy_points)
+{
+  const double sigma = 0.004;
+  const std::vector<Point> points = with_noise(folded(3000, 81, 1.57), sigma, 82);
+  Neighborhood neighborhood = neighborhood_of(points, Point(0., 0., 0.), 97);
+  Fold fold;
+  ASSERT_TRUE(fit_fold(neighborhood, 3. * sigma, fold));
+  const Vector way = fold.way_to_edge(Vector(0., 0., 0.));
+  EXPECT_LT(std::abs(way.x()), sigma);
+  EXPECT_LT(std::abs(way.z()), sigma);
+}
+
+TEST(Fold, is_not_fitted_to_other_surfaces)
+{
+  const auto has_fold = [](const std::vector<Point>& points, const Point& center, double noise)
+  {
+    Neighborhood neighborhood = neighborhood_of(points, center, 33);
+    Fold fold;
+    return fit_fold(neighborhood, std::max(0.03 * neighborhood.radius, 3. * noise), fold);
+  };
+  const Point origin(0., 0., 0.);
+  EXPECT_FALSE(has_fold(folded(1000, 83, 0.), origin, 0.));
+  EXPECT_FALSE(has_fold(folded(1000, 84, 0.6), origin, 0.)); // 34 degrees
+  EXPECT_FALSE(has_fold(with_noise(folded(1000, 83, 0.), 0.005, 85), origin, 0.005));
+  int found = 0;
+  const std::vector<Point> sphere = surfaces::sphere(1000, 86); // 21 degrees from center to border
+  for (std::size_t i = 0; i < 200; ++i)
+    found += has_fold(sphere, sphere[i], 0.) ? 1 : 0;
+  EXPECT_EQ(found, 0);
+  std::vector<Point> line, coinciding(40, origin);
+  for (int i = 0; i < 40; ++i)
+    line.emplace_back(i, 0., 0.);
+  EXPECT_FALSE(has_fold(line, line[20], 0.));
+  EXPECT_FALSE(has_fold(coinciding, origin, 0.));
+  EXPECT_FALSE(has_fold({origin, Point(1., 0., 0.), Point(0., 1., 0.)}, origin, 0.));
+}
+
+TEST(Bent_points, are_those_that_noise_does_not_explain)
+{
+  // r^2 = 16 / rho = 1; sigma = 0.1 explains kappa = 0.02
+  const Features features{{0.019, 0.021, 0.039, 0.041}, std::vector<double>(4, 1. / 16.), {}};
+  EXPECT_EQ(bent_points<Tag>(features, 16, 0.), (std::vector<std::uint8_t>{0, 1, 1, 1}));
+  EXPECT_EQ(bent_points<Tag>(features, 16, 0.1), (std::vector<std::uint8_t>{0, 0, 0, 1}));
+}
+
+std::vector<Point> cube(std::size_t n, unsigned int seed)
+{
+  return surfaces::sample(n, seed,
+                          [](CGAL::Random& r)
+                          {
+    const double a = r.uniform_real(0., 1.), b = r.uniform_real(0., 1.), c = r.uniform_int(0, 1);
+    const int axis = r.uniform_int(0, 2);
+    return axis == 0 ? Point(c, a, b) : axis == 1 ? Point(a, c, b) : Point(a, b, c);
+  });
+}
+
+// distance to the nearest edge of the cube [0, 1]^3: the two smaller distances to its planes
+double distance_to_edge(const Point& p)
+{
+  double d[3];
+  for (int i = 0; i < 3; ++i)
+    d[i] = std::min(std::abs(p[i]), std::abs(1. - p[i]));
+  std::sort(d, d + 3);
+  return std::sqrt(d[0] * d[0] + d[1] * d[1]);
+}
+
+TEST(Adaptive, puts_samples_on_sharp_edges)
+{
+  // The samples are 0.054 apart if uniform, edges have a length of 12.
+  const auto on_edges = [](const std::vector<Point>& points, double tolerance)
+  {
+    return std::count_if(points.begin(), points.end(),
+                         [&](const Point& p) { return distance_to_edge(p) < tolerance; });
+  };
+  for (std::size_t n : {30000, 100000})
+  {
+    const std::vector<Point> result = simplified(cube(n, 87), np::number_of_output_points(3000));
+    EXPECT_GT(on_edges(result, 1e-4), 12. / 0.054) << n;
+    // along each edge, no hole
+    std::vector<double> along;
+    for (const Point& p : result)
+      if (p.x() < 1e-4 && p.y() < 1e-4)
+        along.push_back(p.z());
+    along.insert(along.end(), {0., 1.});
+    std::sort(along.begin(), along.end());
+    for (std::size_t i = 1; i < along.size(); ++i)
+      EXPECT_LT(along[i] - along[i - 1], 0.15) << n;
+  }
+  const std::vector<Point> noisy = with_noise(cube(100000, 88), 0.002, 89);
+  EXPECT_GT(on_edges(simplified(noisy, np::number_of_output_points(3000)), 0.002), 12. / 0.054);
+}
+
+TEST(Adaptive, sees_no_edges_where_there_are_none)
+{
+  // as if there were no search for them
+  const std::vector<Point> points = surfaces::torus(20000, 3., 1., 90);
+  Adaptive_settings without;
+  without.move_to_edges = false;
+  const auto result = [&](const Adaptive_settings& settings)
+  {
+    std::vector<Point> output;
+    simplify_point_set<Tag>(points, std::back_inserter(output), np::default_values(), settings);
+    return output;
+  };
+  EXPECT_EQ(result(without), result(Adaptive_settings()));
 }
 
 TEST(Adaptive, lies_on_the_surface)

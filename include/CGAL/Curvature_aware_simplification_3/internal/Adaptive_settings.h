@@ -49,6 +49,8 @@ struct Adaptive_settings
   int moves_to_foot_point = 3;
   // With noise, each sample moves towards wider fits, as far as noise explains the difference.
   bool denoise = true;
+  // Samples next to a sharp edge are moved onto it.
+  bool move_to_edges = true;
 };
 
 } // namespace internal

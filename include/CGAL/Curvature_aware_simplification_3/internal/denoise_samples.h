@@ -79,8 +79,8 @@ inline Fits_of_all_sizes fits_of_all_sizes(const Surface_fit& fit, const Surface
 // at most 1. One difference tells little, so the mean is over the sample and its 32 nearest, where
 // shape is similar.
 template <typename ConcurrencyTag>
-std::vector<Point> denoise_samples(const std::vector<Surface_sample>& samples,
-                                   const Surface_fit& fit, const Progress& progress)
+void denoise_samples(std::vector<Surface_sample>& samples, const Surface_fit& fit,
+                     const Progress& progress)
 {
   constexpr std::size_t pool = 33;
   // an outlier among the differences has no more say than 50 others
@@ -96,7 +96,6 @@ std::vector<Point> denoise_samples(const std::vector<Surface_sample>& samples,
   });
 
   const Neighbor_search search(points, ConcurrencyTag());
-  std::vector<Point> result(samples.size());
   for_each_index<ConcurrencyTag>(0, samples.size(),
                                  [&](std::size_t i)
                                  {
@@ -113,14 +112,14 @@ std::vector<Point> denoise_samples(const std::vector<Surface_sample>& samples,
         expected[m] += other[m].variance;
       }
     });
-    result[i] = points[i];
+    Point& result = samples[i].point;
+    result = points[i];
     for (std::size_t m = 0; m < steps; ++m)
     {
       const double part = square[m] > expected[m] ? expected[m] / square[m] : 1.;
-      result[i] = result[i] + part * fits[i].widenings[m].shift;
+      result = result + part * fits[i].widenings[m].shift;
     }
   });
-  return result;
 }
 
 } // namespace internal

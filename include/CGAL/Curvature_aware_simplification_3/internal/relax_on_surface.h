@@ -112,11 +112,12 @@ inline void move_on_surface(Surface_sample& x, Vector step, const Surface_fit& f
   x.place(fit, x.surface.point(part * a, part * b), x.surface.normal(part * a, part * b));
 }
 
-// Iterations of eq. 8 until the samples rest, at most `number_of_iterations`
+// Iterations of eq. 8 until the samples rest, at most `number_of_iterations`. Returns the neighbors
+// that they ended with.
 template <typename ConcurrencyTag>
-void relax_on_surface(std::vector<Surface_sample>& samples, const Surface_fit& fit,
-                      std::size_t number_of_iterations, double repulsion_weight,
-                      const Progress& progress)
+Sample_neighbors relax_on_surface(std::vector<Surface_sample>& samples, const Surface_fit& fit,
+                                  std::size_t number_of_iterations, double repulsion_weight,
+                                  const Progress& progress)
 {
   // Means over all samples of how far they move, in spacings. Half of the samples move less than the
   // mean, one in a hundred more than 4 times as far: of those, a pair may come as close as 1.6 spacings
@@ -171,6 +172,7 @@ void relax_on_surface(std::vector<Surface_sample>& samples, const Surface_fit& f
       break;
     moved_since_search += mean_move;
   }
+  return neighbors;
 }
 
 } // namespace internal

@@ -13,6 +13,7 @@
 #include <CGAL/Curvature_aware_simplification_3/internal/features.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/find_outliers.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/loops.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/move_to_edges.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/noise_level.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/parameters.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/relax_on_surface.h>
@@ -54,12 +55,11 @@ Distinct_samples simplify_adaptively(Cloud cloud, std::unique_ptr<Neighbor_searc
   cloud.distinct_index = std::vector<std::size_t>();
   std::vector<Point>& points = cloud.points;
   const std::size_t distinct = points.size();
+  const std::size_t k = neighborhood_size(parameters.number_of_neighbors, distinct) - 1;
   if (settings.find_outliers)
   {
-    const std::size_t k = neighborhood_size(parameters.number_of_neighbors, distinct) - 1;
     const std::vector<std::uint8_t> is_outlier =
         find_outliers<ConcurrencyTag>(cloud, *search, features, k);
-    features.curvature = std::vector<double>();
     features.votes = std::vector<std::uint32_t>();
     const std::size_t outliers = reduce_indices<ConcurrencyTag>(
         distinct, std::size_t(0), [&](std::size_t i) { return std::size_t(is_outlier[i]); },
@@ -71,6 +71,7 @@ Distinct_samples simplify_adaptively(Cloud cloud, std::unique_ptr<Neighbor_searc
       const std::vector<std::size_t> kept = indices_where<ConcurrencyTag>(
           distinct, [&](std::size_t i) { return is_outlier[i] == 0; });
       points = elements_at<ConcurrencyTag>(kept, points);
+      features.curvature = elements_at<ConcurrencyTag>(kept, features.curvature);
       features.inverse_density = elements_at<ConcurrencyTag>(kept, features.inverse_density);
       search.reset(new Neighbor_search(points, ConcurrencyTag()));
     }
@@ -79,6 +80,8 @@ Distinct_samples simplify_adaptively(Cloud cloud, std::unique_ptr<Neighbor_searc
   report.outliers_time = stopwatch.lap();
 
   const double noise = settings.measure_noise ? noise_level<ConcurrencyTag>(points, *search) : 0.;
+  std::vector<std::uint8_t> is_bent = bent_points<ConcurrencyTag>(features, k, noise);
+  features.curvature = std::vector<double>();
   report.noise_time = stopwatch.lap();
 
   const double mean_spacing =
@@ -90,7 +93,7 @@ Distinct_samples simplify_adaptively(Cloud cloud, std::unique_ptr<Neighbor_searc
   Noise_left left{noise, noise};
   if (settings.smooth_points && noise_is_visible)
   {
-    left = smooth_points<ConcurrencyTag>(points, features.inverse_density, *search, noise,
+    left = smooth_points<ConcurrencyTag>(points, features.inverse_density, is_bent, *search, noise,
                                          number_of_samples, progress.part(0., 0.2));
     search.reset();
     search.reset(new Neighbor_search(points, ConcurrencyTag()));
@@ -117,22 +120,23 @@ Distinct_samples simplify_adaptively(Cloud cloud, std::unique_ptr<Neighbor_searc
   for_each_index<ConcurrencyTag>(samples.size(), progress.part(0.3, 0.4),
                                  [&](std::size_t i)
                                  { samples[i].place(fit, points[selected[i]], NULL_VECTOR); });
-  relax_on_surface<ConcurrencyTag>(samples, fit, parameters.number_of_iterations,
-                                   parameters.repulsion_weight, progress.part(0.4, 0.8));
+  const Sample_neighbors neighbors =
+      relax_on_surface<ConcurrencyTag>(samples, fit, parameters.number_of_iterations,
+                                       parameters.repulsion_weight, progress.part(0.4, 0.8));
   report.relaxation_time = stopwatch.lap();
 
-  std::vector<Point> result(samples.size());
-  const Progress final_progress = progress.part(0.8, 1.);
+  const Progress final_progress = progress.part(0.8, 0.95);
   if (settings.denoise && noise_is_visible)
-    result = denoise_samples<ConcurrencyTag>(samples, fit, final_progress);
+    denoise_samples<ConcurrencyTag>(samples, fit, final_progress);
   else
     for_each_index<ConcurrencyTag>(samples.size(), final_progress,
                                    [&](std::size_t i)
-                                   {
-      Surface_sample& x = samples[i];
-      x.place(fit, x.point, x.normal);
-      result[i] = x.point;
-    });
+                                   { samples[i].place(fit, samples[i].point, samples[i].normal); });
+  if (settings.move_to_edges)
+    move_to_edges<ConcurrencyTag>(samples, neighbors, fit, is_bent, progress.part(0.95, 1.));
+  std::vector<Point> result(samples.size());
+  for_each_index<ConcurrencyTag>(0, samples.size(),
+                                 [&](std::size_t i) { result[i] = samples[i].point; });
   report.projection_time = stopwatch.lap();
 
   report.noise_level = cloud.frame.length_from_frame(noise);

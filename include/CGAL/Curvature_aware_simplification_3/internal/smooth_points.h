@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <vector>
 
@@ -89,8 +90,8 @@ struct Noise_left
 // balls of 7 sigma, shape is lost. Thins points that are dense against the noise.
 template <typename ConcurrencyTag>
 Noise_left smooth_points(std::vector<Point>& points, std::vector<double>& inverse_density,
-                         const Neighbor_search& search, double noise, std::size_t number_of_samples,
-                         const Progress& progress)
+                         std::vector<std::uint8_t>& is_bent, const Neighbor_search& search,
+                         double noise, std::size_t number_of_samples, const Progress& progress)
 {
   const Surface_fit fit{search, points.size(), noise, noise};
   const double radius = smoothing_radius_in_noise * noise;
@@ -99,6 +100,7 @@ Noise_left smooth_points(std::vector<Point>& points, std::vector<double>& invers
   const std::size_t kept = (points.size() - 1) / step + 1;
   std::vector<Point> smoothed(kept);
   std::vector<double> variance(kept), inverse_density_of_kept(kept);
+  std::vector<std::uint8_t> is_kept_bent(kept);
   for_each_index<ConcurrencyTag>(kept, progress,
                                  [&](std::size_t i)
                                  {
@@ -109,9 +111,11 @@ Noise_left smooth_points(std::vector<Point>& points, std::vector<double>& invers
     smoothed[i] = result.point;
     variance[i] = result.variance;
     inverse_density_of_kept[i] = inverse_density[j] * static_cast<double>(step);
+    is_kept_bent[i] = is_bent[j];
   });
   points.swap(smoothed);
   inverse_density.swap(inverse_density_of_kept);
+  is_bent.swap(is_kept_bent);
   return {std::sqrt(mean<ConcurrencyTag>(kept, [&](std::size_t i) { return variance[i]; })),
           noise / std::sqrt(static_cast<double>(step))};
 }

@@ -1,0 +1,180 @@
+// Copyright (c) 2026 The authors of Curvature_aware_simplification_3.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_MOVE_TO_EDGES_H
+#define CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_MOVE_TO_EDGES_H
+
+#include <CGAL/Curvature_aware_simplification_3/internal/Neighborhood.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/Progress.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/Sample_neighbors.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/features.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/fit_fold.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/loops.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/relax_on_surface.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Curvature_aware_simplification_3 {
+namespace internal {
+
+// Which points are on a surface that bends so much that there may be an edge: 1 if so. Noise alone
+// causes kappa = sigma^2 / (r^2 / 2) in a disk of radius r.
+template <typename ConcurrencyTag>
+std::vector<std::uint8_t> bent_points(const Features& features, std::size_t number_of_neighbors,
+                                      double noise)
+{
+  // That of the flattest fold that counts, 45 degrees between the normals, in the middle of a disk:
+  // lambda_0 = (1/4 - 16 / (9 pi^2)) r^2 sin^2 (45 / 2 degrees). Of 90 degrees it is 0.08.
+  constexpr double least_curvature = 0.02;
+
+  std::vector<std::uint8_t> is_bent(features.curvature.size());
+  for_each_index<ConcurrencyTag>(0, is_bent.size(),
+                                 [&](std::size_t i)
+                                 {
+    const double squared_radius =
+        features.inverse_density[i] * static_cast<double>(number_of_neighbors);
+    const double from_noise = 2. * noise * noise;
+    is_bent[i] =
+        features.curvature[i] * squared_radius > least_curvature * squared_radius + from_noise ? 1
+                                                                                               : 0;
+  });
+  return is_bent;
+}
+
+// Where a sample may be moved to
+struct Edge_point
+{
+  Point point = Point(0., 0., 0.);
+  double distance = std::numeric_limits<double>::infinity(); // in spacings; infinite: there is none
+};
+
+// Whether the fold is more than a detail between the samples: nearly all of the nearest samples are on
+// it, and some on each side.
+template <typename Neighbors>
+bool is_seen_by_samples(const Fold& fold, const Point& center, const Neighbors& neighbors,
+                        const std::vector<Point>& points, double spacing)
+{
+  constexpr std::size_t most = 12; // one ring and a half
+  // in spacings: faces may bend with a radius of 3 spacings
+  constexpr double tolerance = 0.15;
+
+  std::size_t number = 0, on_fold = 0, only_on[2] = {0, 0};
+  for (std::size_t i : neighbors)
+  {
+    if (number == most)
+      break;
+    ++number;
+    const Vector p = points[i] - center;
+    const bool on_first = std::abs(fold.planes[0].distance(p)) < tolerance * spacing;
+    const bool on_second = std::abs(fold.planes[1].distance(p)) < tolerance * spacing;
+    on_fold += on_first || on_second;
+    only_on[0] += on_first && !on_second;
+    only_on[1] += on_second && !on_first;
+  }
+  return 5 * on_fold >= 4 * number && only_on[0] > 0 && only_on[1] > 0;
+}
+
+// The nearest point of a sharp edge near a sample. `is_bent` tells for each point of the fit's search
+// whether there may be one.
+template <typename Neighbors>
+Edge_point nearest_edge_point(const Surface_sample& x, const Neighbors& neighbors,
+                              const std::vector<Point>& points, const Surface_fit& fit,
+                              const std::vector<std::uint8_t>& is_bent)
+{
+  // In spacings. A strip as wide on both sides of the edge holds 1.3 * 1.15 = 1.5 samples for each
+  // spacing of its length, more than the one that it needs.
+  constexpr double reach = 0.65;
+  // 32 neighbors, of which planes have ten or more each; with noise, all within 30 sigma, so
+  // that the tolerance of 3 sigma is small, but at most three times as many
+  constexpr std::size_t fewest = 33, most = 97;
+  constexpr double radius_in_noise = 30.;
+  // of the radius of the ball: faces may bend with a radius of 17 of the ball's
+  constexpr double flatness = 0.03;
+
+  if (!(x.surface.radius > 0.))
+    return Edge_point();
+  std::pair<double, std::size_t> nearest(std::numeric_limits<double>::infinity(), 0);
+  Point center = x.point;
+  fit.search.for_each_within(x.point, reach * x.spacing,
+                             [&](std::size_t i, const Point& p, double squared_distance)
+                             {
+    const std::pair<double, std::size_t> candidate(squared_distance, i);
+    if (is_bent[i] != 0 && candidate < nearest)
+    {
+      nearest = candidate;
+      center = p;
+    }
+  });
+  if (!(nearest.first < std::numeric_limits<double>::infinity()))
+    return Edge_point();
+
+  const double radius = radius_in_noise * fit.noise / x.surface.radius;
+  const double wanted = static_cast<double>(x.surface.neighbors) * radius * radius;
+  const std::size_t k =
+      wanted < static_cast<double>(most) ? static_cast<std::size_t>(wanted) : most;
+  static thread_local Neighborhood neighborhood;
+  neighborhood.collect(fit.search, center, (std::min)((std::max)(k, fewest), fit.number_of_points));
+  Fold fold;
+  if (!fit_fold(neighborhood, (std::max)(flatness * neighborhood.radius, 3. * fit.noise), fold))
+    return Edge_point();
+  const Vector from_center = x.point - center;
+  const Vector way = fold.way_to_edge(from_center);
+  const double distance = std::sqrt(way.squared_length()) / x.spacing;
+  // the planes are known in the ball only
+  if (distance > reach ||
+      (from_center + way).squared_length() > neighborhood.radius * neighborhood.radius ||
+      !is_seen_by_samples(fold, center, neighbors, points, x.spacing))
+    return Edge_point();
+  return {x.point + way, distance};
+}
+
+// Moves samples next to a sharp edge onto it. Whatever surface is reconstructed, it cuts off an edge
+// that no samples are on, and a quadric rounds it. `neighbors` are those of about these places.
+template <typename ConcurrencyTag>
+void move_to_edges(std::vector<Surface_sample>& samples, const Sample_neighbors& neighbors,
+                   const Surface_fit& fit, const std::vector<std::uint8_t>& is_bent,
+                   const Progress& progress)
+{
+  // In spacings: of samples that go to nearly the same place, only the nearest does.
+  constexpr double too_close = 0.3;
+
+  std::vector<Point> points(samples.size());
+  for_each_index<ConcurrencyTag>(0, samples.size(),
+                                 [&](std::size_t i) { points[i] = samples[i].point; });
+  std::vector<Edge_point> edge_points(samples.size());
+  for_each_index<ConcurrencyTag>(samples.size(), progress,
+                                 [&](std::size_t i) {
+    edge_points[i] = nearest_edge_point(samples[i], neighbors.of(i), points, fit, is_bent);
+  });
+  for_each_index<ConcurrencyTag>(0, samples.size(),
+                                 [&](std::size_t i)
+                                 {
+    const Edge_point& own = edge_points[i];
+    if (!(own.distance < std::numeric_limits<double>::infinity()))
+      return;
+    const double gap = too_close * samples[i].spacing;
+    for (std::size_t j : neighbors.of(i))
+    {
+      const Edge_point& other = edge_points[j];
+      if (std::make_pair(other.distance, j) < std::make_pair(own.distance, i) &&
+          (other.point - own.point).squared_length() < gap * gap)
+        return;
+    }
+    samples[i].point = own.point;
+  });
+}
+
+} // namespace internal
+} // namespace Curvature_aware_simplification_3
+} // namespace CGAL
+
+#endif // CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_MOVE_TO_EDGES_H
