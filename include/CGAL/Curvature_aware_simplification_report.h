@@ -54,7 +54,7 @@ struct Curvature_aware_simplification_report
   double selection_time = 0.;
   /// all iterations of the relaxation
   double relaxation_time = 0.;
-  /// final projection of the samples
+  /// final projection of the samples, and their way to sharp edges
   double projection_time = 0.;
 };
 
