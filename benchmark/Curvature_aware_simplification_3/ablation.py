@@ -65,5 +65,6 @@ def ablation(comparison, igea, meshes, output):
                          *(f"{math.exp(sum(v) / len(v)):.2f}" if v else "–"
                            for v in [*logarithms.values(), everything])])
     return ("Error with one idea switched off, over that with all of them, as geometric means over "
-            "Igea, the elephant, the anchor, the rounded box and the wavy patch: above 1, the idea helps.\n\n"
+            "Igea, the elephant, the anchor, the rounded box and the wavy patch: above 1, the idea "
+            "helps.\n\n"
             + write_table(output / "ablation.csv", rows))

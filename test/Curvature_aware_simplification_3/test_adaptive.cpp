@@ -776,6 +776,30 @@ TEST(Bent_points, are_those_that_noise_does_not_explain)
   EXPECT_EQ(bent_points<Tag>(features, 16, 0.1), (std::vector<std::uint8_t>{0, 0, 0, 1}));
 }
 
+TEST(Fold, is_seen_by_samples_on_both_sides)
+{
+  // the planes x = 0 and y = 0, samples with a spacing of 1
+  Fold fold;
+  fold.planes[0] = {Vector(1., 0., 0.), 0.};
+  fold.planes[1] = {Vector(0., 1., 0.), 0.};
+  const Point first(0.1, 2., 0.), second(2., -0.1, 0.), none(2., 2., 0.);
+  const auto is_seen = [&](const std::vector<Point>& points)
+  {
+    std::vector<std::size_t> neighbors(points.size());
+    for (std::size_t i = 0; i < points.size(); ++i)
+      neighbors[i] = i;
+    return is_seen_by_samples(fold, Point(0., 0., 0.), neighbors, points, 1.);
+  };
+  EXPECT_TRUE(is_seen({first, first, second, second, none}));
+  EXPECT_FALSE(is_seen({first, second, none}));
+  EXPECT_FALSE(is_seen({first, first, first}));
+  EXPECT_FALSE(is_seen({}));
+  // only the nearest 12 count
+  std::vector<Point> many(12, first);
+  many.push_back(second);
+  EXPECT_FALSE(is_seen(many));
+}
+
 std::vector<Point> cube(std::size_t n, unsigned int seed)
 {
   return surfaces::sample(n, seed,
@@ -809,7 +833,7 @@ TEST(Adaptive, puts_samples_on_sharp_edges)
   {
     const std::vector<Point> result = simplified(cube(n, 87), np::number_of_output_points(3000));
     EXPECT_GT(on_edges(result, 1e-4), 12. / 0.054) << n;
-    // along each edge, no hole
+    // along one of them, no hole, and none closer than 0.3 of the least spacing, a half of the mean
     std::vector<double> along;
     for (const Point& p : result)
       if (p.x() < 1e-4 && p.y() < 1e-4)
@@ -818,6 +842,8 @@ TEST(Adaptive, puts_samples_on_sharp_edges)
     std::sort(along.begin(), along.end());
     for (std::size_t i = 1; i < along.size(); ++i)
       EXPECT_LT(along[i] - along[i - 1], 0.15) << n;
+    for (std::size_t i = 2; i + 1 < along.size(); ++i)
+      EXPECT_GT(along[i] - along[i - 1], 0.3 * 0.5 * 0.054) << n;
   }
   const std::vector<Point> noisy = with_noise(cube(100000, 88), 0.002, 89);
   EXPECT_GT(on_edges(simplified(noisy, np::number_of_output_points(3000)), 0.002), 12. / 0.054);

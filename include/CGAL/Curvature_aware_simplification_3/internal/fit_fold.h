@@ -81,6 +81,7 @@ void choose(const std::vector<Vector>& points, const Predicate& belongs,
 
 // The plane that most of the points are within `tolerance` of, by random sample consensus (Fischler
 // and Bolles 1981): the best of those through three points. Returns false if there are fewer than 7.
+// CGAL's Efficient_RANSAC wants normals, which are what is looked for.
 inline bool plane_with_most_points(const std::vector<Vector>& points, double tolerance,
                                    Local_plane& best)
 {
@@ -175,10 +176,7 @@ inline bool fit_fold(Neighborhood& neighborhood, double tolerance, Fold& fold)
 
   neighborhood.weight_by_distance();
   Local_surface quadric;
-  quadric.origin = neighborhood.center;
-  quadric.n = plane_normal(neighborhood);
-  quadric.complete_frame();
-  if (!fit_quadric(neighborhood, 0., quadric))
+  if (!fit_quadric_over_plane(neighborhood, 0., quadric))
     return false;
   double weight = 0., quadric_squares = 0.;
   for (const Neighborhood::Neighbor& neighbor : neighborhood.neighbors)

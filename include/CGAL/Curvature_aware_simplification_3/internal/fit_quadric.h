@@ -90,6 +90,16 @@ inline bool fit_quadric(const Neighborhood& neighborhood, double noise, Local_su
   return true;
 }
 
+// The quadric over the least-squares plane of the weighted neighbors, around their center
+inline bool fit_quadric_over_plane(const Neighborhood& neighborhood, double noise,
+                                   Local_surface& surface)
+{
+  surface.origin = neighborhood.center;
+  surface.n = plane_normal(neighborhood);
+  surface.complete_frame();
+  return fit_quadric(neighborhood, noise, surface);
+}
+
 // The plane with the least squared heights of the weighted neighbors
 inline bool fit_plane(const Neighborhood& neighborhood, Local_surface& surface)
 {

@@ -19,6 +19,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -53,8 +54,8 @@ std::vector<std::uint8_t> bent_points(const Features& features, std::size_t numb
 // Where a sample may be moved to
 struct Edge_point
 {
-  Point point = Point(0., 0., 0.);
-  double distance = std::numeric_limits<double>::infinity(); // in spacings; infinite: there is none
+  Point point;
+  double distance; // in spacings
 };
 
 // Whether the fold is more than a detail between the samples: nearly all of the nearest samples are on
@@ -80,28 +81,30 @@ bool is_seen_by_samples(const Fold& fold, const Point& center, const Neighbors& 
     only_on[0] += on_first && !on_second;
     only_on[1] += on_second && !on_first;
   }
+  // two of 12 may be on a third face
   return 5 * on_fold >= 4 * number && only_on[0] > 0 && only_on[1] > 0;
 }
 
-// The nearest point of a sharp edge near a sample. `is_bent` tells for each point of the fit's search
-// whether there may be one.
+// The nearest point of a sharp edge near a sample, if there is one. `is_bent` tells for each point of
+// the fit's search whether there may be one.
 template <typename Neighbors>
-Edge_point nearest_edge_point(const Surface_sample& x, const Neighbors& neighbors,
-                              const std::vector<Point>& points, const Surface_fit& fit,
-                              const std::vector<std::uint8_t>& is_bent)
+std::optional<Edge_point> nearest_edge_point(const Surface_sample& x, const Neighbors& neighbors,
+                                             const std::vector<Point>& points,
+                                             const Surface_fit& fit,
+                                             const std::vector<std::uint8_t>& is_bent)
 {
   // In spacings. A strip as wide on both sides of the edge holds 1.3 * 1.15 = 1.5 samples for each
   // spacing of its length, more than the one that it needs.
   constexpr double reach = 0.65;
   // 32 neighbors, of which planes have ten or more each; with noise, all within 30 sigma, so
   // that the tolerance of 3 sigma is small, but at most three times as many
-  constexpr std::size_t fewest = 33, most = 97;
+  constexpr double fewest = 33., most = 97.;
   constexpr double radius_in_noise = 30.;
   // of the radius of the ball: faces may bend with a radius of 17 of the ball's
   constexpr double flatness = 0.03;
 
   if (!(x.surface.radius > 0.))
-    return Edge_point();
+    return std::nullopt;
   std::pair<double, std::size_t> nearest(std::numeric_limits<double>::infinity(), 0);
   Point center = x.point;
   fit.search.for_each_within(x.point, reach * x.spacing,
@@ -115,17 +118,16 @@ Edge_point nearest_edge_point(const Surface_sample& x, const Neighbors& neighbor
     }
   });
   if (!(nearest.first < std::numeric_limits<double>::infinity()))
-    return Edge_point();
+    return std::nullopt;
 
   const double radius = radius_in_noise * fit.noise / x.surface.radius;
   const double wanted = static_cast<double>(x.surface.neighbors) * radius * radius;
-  const std::size_t k =
-      wanted < static_cast<double>(most) ? static_cast<std::size_t>(wanted) : most;
+  const std::size_t k = static_cast<std::size_t>((std::min)((std::max)(wanted, fewest), most));
   static thread_local Neighborhood neighborhood;
-  neighborhood.collect(fit.search, center, (std::min)((std::max)(k, fewest), fit.number_of_points));
+  neighborhood.collect(fit.search, center, (std::min)(k, fit.number_of_points));
   Fold fold;
   if (!fit_fold(neighborhood, (std::max)(flatness * neighborhood.radius, 3. * fit.noise), fold))
-    return Edge_point();
+    return std::nullopt;
   const Vector from_center = x.point - center;
   const Vector way = fold.way_to_edge(from_center);
   const double distance = std::sqrt(way.squared_length()) / x.spacing;
@@ -133,8 +135,8 @@ Edge_point nearest_edge_point(const Surface_sample& x, const Neighbors& neighbor
   if (distance > reach ||
       (from_center + way).squared_length() > neighborhood.radius * neighborhood.radius ||
       !is_seen_by_samples(fold, center, neighbors, points, x.spacing))
-    return Edge_point();
-  return {x.point + way, distance};
+    return std::nullopt;
+  return Edge_point{x.point + way, distance};
 }
 
 // Moves samples next to a sharp edge onto it. Whatever surface is reconstructed, it cuts off an edge
@@ -144,13 +146,14 @@ void move_to_edges(std::vector<Surface_sample>& samples, const Sample_neighbors&
                    const Surface_fit& fit, const std::vector<std::uint8_t>& is_bent,
                    const Progress& progress)
 {
-  // In spacings: of samples that go to nearly the same place, only the nearest does.
+  // In spacings: of samples that would go to nearly the same place, only the nearest does. With 0.15
+  // to 0.45, errors at 10 % of the points are the same within 3 %.
   constexpr double too_close = 0.3;
 
   std::vector<Point> points(samples.size());
   for_each_index<ConcurrencyTag>(0, samples.size(),
                                  [&](std::size_t i) { points[i] = samples[i].point; });
-  std::vector<Edge_point> edge_points(samples.size());
+  std::vector<std::optional<Edge_point>> edge_points(samples.size());
   for_each_index<ConcurrencyTag>(samples.size(), progress,
                                  [&](std::size_t i) {
     edge_points[i] = nearest_edge_point(samples[i], neighbors.of(i), points, fit, is_bent);
@@ -158,18 +161,18 @@ void move_to_edges(std::vector<Surface_sample>& samples, const Sample_neighbors&
   for_each_index<ConcurrencyTag>(0, samples.size(),
                                  [&](std::size_t i)
                                  {
-    const Edge_point& own = edge_points[i];
-    if (!(own.distance < std::numeric_limits<double>::infinity()))
+    const std::optional<Edge_point>& own = edge_points[i];
+    if (!own)
       return;
     const double gap = too_close * samples[i].spacing;
     for (std::size_t j : neighbors.of(i))
     {
-      const Edge_point& other = edge_points[j];
-      if (std::make_pair(other.distance, j) < std::make_pair(own.distance, i) &&
-          (other.point - own.point).squared_length() < gap * gap)
+      const std::optional<Edge_point>& other = edge_points[j];
+      if (other && std::make_pair(other->distance, j) < std::make_pair(own->distance, i) &&
+          (other->point - own->point).squared_length() < gap * gap)
         return;
     }
-    samples[i].point = own.point;
+    samples[i].point = own->point;
   });
 }
 

@@ -34,14 +34,12 @@ std::pair<double, double> median_residual(const std::vector<Point>& points,
                                  {
     Neighborhood neighborhood;
     Local_surface surface;
-    surface.origin = points[(2 * i + 1) * points.size() / (2 * number_of_probes)];
-    neighborhood.collect(search, surface.origin, k);
+    const Point& probe = points[(2 * i + 1) * points.size() / (2 * number_of_probes)];
+    neighborhood.collect(search, probe, k);
     radius[i] = neighborhood.radius;
     if (!(neighborhood.radius > 0.))
       return;
-    surface.n = plane_normal(neighborhood);
-    surface.complete_frame();
-    if (!fit_quadric(neighborhood, 0., surface))
+    if (!fit_quadric_over_plane(neighborhood, 0., surface))
       return;
     double sum = 0.;
     for (const Neighborhood::Neighbor& neighbor : neighborhood.neighbors)

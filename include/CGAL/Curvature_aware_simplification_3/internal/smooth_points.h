@@ -50,11 +50,8 @@ inline Smoothed_point smooth_point(const Surface_fit& fit, const Point& x,
   neighborhood.radius = (std::max)(neighborhood.radius, 2. * radius);
   neighborhood.weight_by_distance();
   Local_surface surface;
-  surface.origin = x;
-  surface.n = plane_normal(neighborhood);
-  surface.complete_frame();
   // further than 4 sigma, noise does not carry a point: it is on another sheet, or the fit is wrong
-  if (!fit_quadric(neighborhood, fit.noise, surface) || !(surface.error < fit.noise) ||
+  if (!fit_quadric_over_plane(neighborhood, fit.noise, surface) || !(surface.error < fit.noise) ||
       !(std::abs(surface.c[0]) <= radius))
     return unchanged;
   const double variance = surface.error * surface.error;
