@@ -12,6 +12,7 @@
 #include <CGAL/Curvature_aware_simplification_3/internal/sample_spacing.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/sampling_density.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/select_points.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/shared_features.h>
 #include <CGAL/pca_estimate_normals.h>
 
 #include <benchmark/benchmark.h>
@@ -107,6 +108,16 @@ void features(benchmark::State& state)
   });
 }
 
+void shared_features(benchmark::State& state)
+{
+  measure(state,
+          [](Stages& s)
+          {
+    benchmark::DoNotOptimize(compute_shared_features<Tag, Diagonalize_traits>(
+        s.cloud, s.search, 16, Progress(no_callback)));
+  });
+}
+
 void selection(benchmark::State& state)
 {
   measure(state, [](Stages& s)
@@ -190,6 +201,7 @@ void sizes_and_threads(benchmark::internal::Benchmark* b)
 BENCHMARK(sorting)->Apply(sizes_and_threads);
 BENCHMARK(tree_building)->Apply(sizes_and_threads);
 BENCHMARK(features)->Apply(sizes_and_threads);
+BENCHMARK(shared_features)->Apply(sizes_and_threads);
 BENCHMARK(selection)->Apply(sizes_and_threads);
 BENCHMARK(one_relaxation_step)->Apply(sizes_and_threads);
 BENCHMARK(sampling_density)->Apply(sizes_and_threads);

@@ -32,7 +32,8 @@ struct Curvature_aware_simplification_report
   double output_spacing = 0.;
   /// with the settings of the paper, the radius \f$h\f$ that was used, given or derived; otherwise 0
   double neighbor_radius = 0.;
-  /// largest surface variation of an input point
+  /// largest surface variation measured at an input point; nearby points of a flat part share one
+  /// measurement, unless the settings of the paper are used
   double maximum_surface_variation = 0.;
 
   /// number of distinct input points that were taken for outliers; they have no influence

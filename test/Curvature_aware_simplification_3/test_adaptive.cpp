@@ -14,6 +14,7 @@
 #include <CGAL/Curvature_aware_simplification_3/internal/relax_on_surface.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/sampling_density.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/select_along_curve.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/shared_features.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/smooth_points.h>
 #include <CGAL/curvature_aware_simplify_point_set.h>
 
@@ -367,12 +368,131 @@ TEST(Noise_level, is_small_without_noise)
   EXPECT_LT(noise_of(surfaces::torus(50000, 3., 1., 11)), 2e-4);
 }
 
+Shared_features shared_features_of(const Cloud& cloud, const Neighbor_search& search)
+{
+  return compute_shared_features<Tag, CGAL::Default_diagonalize_traits<double, 3>>(
+      cloud, search, 16, Progress(no_callback));
+}
+
+Local_features own_features(const Cloud& cloud, const Neighbor_search& search, std::size_t i)
+{
+  return local_features<CGAL::Default_diagonalize_traits<double, 3>>(search, cloud.points[i], 17,
+                                                                     cloud.coordinate_error);
+}
+
+TEST(Shared_features, are_those_of_a_point_in_whose_inner_half_one_is)
+{
+  const Cloud cloud = make_cloud<Tag>(surfaces::torus(20000, 3., 1., 80), 1e-16);
+  const Neighbor_search search(cloud.points, Tag());
+  const Shared_features shared = shared_features_of(cloud, search);
+  std::size_t number_of_votes = 0, number_represented = 0, representatives = 0;
+  for (std::size_t i = 0; i < cloud.size(); ++i)
+  {
+    number_of_votes += shared.votes[i];
+    number_represented += shared.represented[i];
+    const Local_features own = own_features(cloud, search, i);
+    if (shared.represented[i] > 0)
+    {
+      ++representatives;
+      EXPECT_EQ(shared.features.curvature[i], own.curvature);
+      EXPECT_EQ(shared.features.inverse_density[i], own.inverse_density);
+      continue;
+    }
+    // the representative: a flat neighborhood with the same values
+    bool found = false;
+    for (std::size_t j = 0; j < cloud.size() && !found; ++j)
+      found = shared.represented[j] > 1 &&
+              shared.features.inverse_density[j] == shared.features.inverse_density[i] &&
+              shared.features.curvature[j] == shared.features.curvature[i] &&
+              CGAL::squared_distance(cloud.points[i], cloud.points[j]) <=
+                  8. * shared.features.inverse_density[j];
+    EXPECT_TRUE(found) << i;
+    EXPECT_LE(shared.features.curvature[i], 0.02);
+    // two neighborhoods of random points
+    EXPECT_LT(shared.features.inverse_density[i], 4. * own.inverse_density);
+    EXPECT_GT(shared.features.inverse_density[i], 0.25 * own.inverse_density);
+  }
+  EXPECT_EQ(number_represented, cloud.size());
+  EXPECT_EQ(number_of_votes, 16 * cloud.size());
+  EXPECT_LT(representatives, cloud.size() / 3);
+}
+
+TEST(Shared_features, are_own_ones_next_to_edges_and_amid_noise)
+{
+  // a roof of 90 degrees with a ridge at x = 0, and noise as wide as the spacing elsewhere
+  std::vector<Point> roof;
+  for (const Point& p : surfaces::square(20000, 81))
+    roof.emplace_back(p.x() - 0.5, p.y(), -std::abs(p.x() - 0.5));
+  for (const Point& p : with_noise(surfaces::square(20000, 82), 0.007, 83))
+    roof.emplace_back(p.x() + 10., p.y(), p.z());
+  const Cloud cloud = make_cloud<Tag>(roof, 1e-16);
+  const Neighbor_search search(cloud.points, Tag());
+  const Shared_features shared = shared_features_of(cloud, search);
+  std::size_t next_to_ridge = 0, own_next_to_ridge = 0, noisy = 0, own_noisy = 0;
+  for (std::size_t i = 0; i < cloud.size(); ++i)
+  {
+    const Point& p = roof[cloud.input_index[i]];
+    const std::size_t own = shared.represented[i] > 0 ? 1 : 0;
+    if (std::abs(p.x()) < 0.002) // a third of the spacing
+    {
+      ++next_to_ridge;
+      own_next_to_ridge += own;
+    }
+    if (p.x() > 5.)
+    {
+      ++noisy;
+      own_noisy += own;
+    }
+  }
+  EXPECT_GT(own_next_to_ridge, 0.9 * static_cast<double>(next_to_ridge));
+  EXPECT_GT(own_noisy, 0.95 * static_cast<double>(noisy));
+}
+
+// Of thousands of outliers, some few happen to be on a plane. Were all of them taken for as flat as the one
+// in their middle, they would stay, and vote for each other.
+TEST(Shared_features, are_own_ones_far_from_most_points)
+{
+  std::vector<Point> points = surfaces::square(20000, 87);
+  CGAL::Random random(88);
+  for (int i = 0; i < 20; ++i)
+  {
+    const Vector center(random.uniform_real(0., 1.), random.uniform_real(0., 1.), 1. + i);
+    for (const Point& p : surfaces::sphere(30, 89 + static_cast<unsigned int>(i)))
+      points.push_back(Point(0.1 * p.x(), 0.1 * p.y(), 0.) + center);
+  }
+  const Cloud cloud = make_cloud<Tag>(points, 1e-16);
+  const Neighbor_search search(cloud.points, Tag());
+  const Shared_features shared = shared_features_of(cloud, search);
+  int shared_votes = 0;
+  for (std::size_t i = 0; i < cloud.size(); ++i)
+    if (cloud.input_index[i] >= 20000)
+    {
+      shared_votes += shared.represented[i] > 1 ? 1 : 0;
+      EXPECT_EQ(shared.features.inverse_density[i], own_features(cloud, search, i).inverse_density);
+    }
+  EXPECT_GT(shared_votes, 20);
+}
+
+TEST(Shared_features, are_the_same_for_every_tag)
+{
+  std::vector<Point> points = with_noise(surfaces::sphere(20000, 84), 0.002, 85);
+  add_outliers(points, 1000, 1.2, 86);
+  const Cloud cloud = make_cloud<Tag>(points, 1e-16);
+  const Neighbor_search search(cloud.points, Tag());
+  const Shared_features parallel = shared_features_of(cloud, search);
+  const Shared_features sequential =
+      compute_shared_features<CGAL::Sequential_tag, CGAL::Default_diagonalize_traits<double, 3>>(
+          cloud, search, 16, Progress(no_callback));
+  EXPECT_EQ(parallel.features.curvature, sequential.features.curvature);
+  EXPECT_EQ(parallel.features.inverse_density, sequential.features.inverse_density);
+  EXPECT_EQ(parallel.represented, sequential.represented);
+  EXPECT_EQ(parallel.votes, sequential.votes);
+}
+
 std::vector<std::uint8_t> outliers_of(const Cloud& cloud)
 {
   const Neighbor_search search(cloud.points, Tag());
-  const Features features = compute_features<Tag, CGAL::Default_diagonalize_traits<double, 3>>(
-      cloud, search, 16, Progress(no_callback));
-  return find_outliers<Tag>(cloud, search, features, 16);
+  return find_outliers<Tag>(cloud, search, shared_features_of(cloud, search), 16);
 }
 
 struct Smoothed
@@ -771,7 +891,7 @@ TEST(Fold, is_not_fitted_to_other_surfaces)
 TEST(Bent_points, are_those_that_noise_does_not_explain)
 {
   // r^2 = 16 / rho = 1; sigma = 0.1 explains kappa = 0.02
-  const Features features{{0.019, 0.021, 0.039, 0.041}, std::vector<double>(4, 1. / 16.), {}};
+  const Features features{{0.019, 0.021, 0.039, 0.041}, std::vector<double>(4, 1. / 16.)};
   EXPECT_EQ(bent_points<Tag>(features, 16, 0.), (std::vector<std::uint8_t>{0, 1, 1, 1}));
   EXPECT_EQ(bent_points<Tag>(features, 16, 0.1), (std::vector<std::uint8_t>{0, 0, 0, 1}));
 }

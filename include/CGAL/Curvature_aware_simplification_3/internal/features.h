@@ -12,9 +12,7 @@
 
 #include <algorithm>
 #include <array>
-#include <atomic>
 #include <cstddef>
-#include <cstdint>
 #include <limits>
 #include <vector>
 
@@ -27,7 +25,6 @@ struct Features
 {
   std::vector<double> curvature;       // kappa: the surface variation, in [0, 1/3]
   std::vector<double> inverse_density; // 1 / rho = r^2 / k, r the distance to the k-th neighbor
-  std::vector<std::uint32_t> votes;    // of how many other points this is one of the k nearest
 };
 
 struct Local_features
@@ -68,7 +65,7 @@ double surface_variation(const std::array<double, 6>& covariance, double coordin
 // point of the search, it is the first of them and not counted among the k neighbors.
 struct No_visit
 {
-  void operator()(std::size_t) const {}
+  void operator()(std::size_t, double) const {}
 };
 
 template <typename DiagonalizeTraits, typename Visit = No_visit>
@@ -82,7 +79,7 @@ Local_features local_features(const Neighbor_search& search, const Point& query,
   search.for_each_nearest(query, number_of_points,
                           [&](std::size_t j, const Point& p, double squared_distance)
                           {
-    visit(j);
+    visit(j, squared_distance);
     squared_radius = (std::max)(squared_radius, squared_distance);
     const Vector v = p - query;
     x += v.x();
@@ -116,20 +113,14 @@ Features compute_features(const Cloud& cloud, const Neighbor_search& search,
 {
   const std::size_t n = cloud.size();
   const std::size_t size = neighborhood_size(number_of_neighbors, n);
-  Features features{std::vector<double>(n), std::vector<double>(n), std::vector<std::uint32_t>(n)};
-  std::vector<std::atomic<std::uint32_t>> votes(n); // sums of integers: the order does not matter
+  Features features{std::vector<double>(n), std::vector<double>(n)};
   for_each_index<ConcurrencyTag>(n, progress,
                                  [&](std::size_t i)
                                  {
-    const Local_features local = local_features<DiagonalizeTraits>(
-        search, cloud.points[i], size, cloud.coordinate_error,
-        [&](std::size_t j) { votes[j].fetch_add(1, std::memory_order_relaxed); });
+    const Local_features local =
+        local_features<DiagonalizeTraits>(search, cloud.points[i], size, cloud.coordinate_error);
     features.curvature[i] = local.curvature;
     features.inverse_density[i] = local.inverse_density;
-  });
-  for_each_index<ConcurrencyTag>(0, n,
-                                 [&](std::size_t i) { // not its own
-    features.votes[i] = votes[i].load(std::memory_order_relaxed) - 1;
   });
   return features;
 }

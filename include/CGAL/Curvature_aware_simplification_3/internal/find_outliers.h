@@ -7,9 +7,9 @@
 #define CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_FIND_OUTLIERS_H
 
 #include <CGAL/Curvature_aware_simplification_3/internal/Cloud.h>
-#include <CGAL/Curvature_aware_simplification_3/internal/features.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/loops.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/scan.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/shared_features.h>
 
 #include <algorithm>
 #include <atomic>
@@ -22,24 +22,56 @@ namespace CGAL {
 namespace Curvature_aware_simplification_3 {
 namespace internal {
 
-// Marks those that have less votes than needed, and returns them.
-template <typename ConcurrencyTag>
-std::vector<std::size_t>
-mark_those_with_less_votes(const std::vector<std::atomic<std::uint32_t>>& votes,
-                           std::size_t needed_votes, std::vector<std::uint8_t>& is_outlier)
+// How many of the k nearest points of point i have it within the radius of their own k nearest; outliers
+// do not count
+inline std::size_t mutual_neighbors(const Cloud& cloud, const Neighbor_search& search,
+                                    const Shared_features& shared, std::size_t k,
+                                    const std::vector<std::uint8_t>& is_outlier, std::size_t i)
 {
-  return indices_where<ConcurrencyTag>(votes.size(),
-                                       [&](std::size_t i)
-                                       {
-    if (is_outlier[i] != 0 || votes[i].load(std::memory_order_relaxed) >= needed_votes)
-      return false;
-    is_outlier[i] = 1;
-    return true;
+  std::size_t number = 0;
+  search.for_each_nearest(cloud.points[i], k + 1,
+                          [&](std::size_t j, const Point&, double squared_distance)
+                          {
+    if (j != i && is_outlier[j] == 0 &&
+        squared_distance <= shared.features.inverse_density[j] * static_cast<double>(k))
+      ++number;
   });
+  return number;
 }
 
-// Which points do not belong to a surface: 1 for outliers. Takes
-// O(k + log n) for each outlier, and a pass over all points for each round of uncovering, of which
+// Marks those that have less votes than needed, and returns them. A vote that counts for several points
+// makes the number uncertain: those with few are asked how many of their neighbors would vote for
+// them, were these asked one by one.
+template <typename ConcurrencyTag>
+std::vector<std::size_t>
+mark_those_with_less_votes(const Cloud& cloud, const Neighbor_search& search,
+                           const Shared_features& shared, std::size_t k,
+                           const std::vector<std::atomic<std::uint32_t>>& votes,
+                           std::size_t needed_votes, std::vector<std::uint8_t>& is_outlier)
+{
+  const std::vector<std::size_t> candidates = indices_where<ConcurrencyTag>(votes.size(),
+                                                                            [&](std::size_t i) {
+    return is_outlier[i] == 0 && votes[i].load(std::memory_order_relaxed) < needed_votes;
+  });
+  // all are counted before any is marked
+  std::vector<std::uint8_t> is_confirmed(candidates.size());
+  for_each_index<ConcurrencyTag>(0, candidates.size(),
+                                 [&](std::size_t c)
+                                 {
+    is_confirmed[c] =
+        mutual_neighbors(cloud, search, shared, k, is_outlier, candidates[c]) < needed_votes ? 1
+                                                                                             : 0;
+  });
+  const std::vector<std::size_t> found = elements_at<ConcurrencyTag>(
+      indices_where<ConcurrencyTag>(candidates.size(),
+                                    [&](std::size_t c) { return is_confirmed[c] != 0; }),
+      candidates);
+  for_each_index<ConcurrencyTag>(0, found.size(), [&](std::size_t f) { is_outlier[found[f]] = 1; });
+  return found;
+}
+
+// Which points do not belong to a surface: 1 for outliers. Takes O(k + log n) for each outlier and
+// for each point with few votes, and a pass over all points for each round of uncovering, of which
 // there are few.
 //
 // Every point votes for its k nearest. A point on a surface gets about k votes, at a corner of an
@@ -49,24 +81,15 @@ mark_those_with_less_votes(const std::vector<std::atomic<std::uint32_t>>& votes,
 // than 3 times the median radius. The votes of outliers do not count, which uncovers others.
 template <typename ConcurrencyTag>
 std::vector<std::uint8_t> find_outliers(const Cloud& cloud, const Neighbor_search& search,
-                                        const Features& features, std::size_t k)
+                                        const Shared_features& shared, std::size_t k)
 {
   // kappa of points spread evenly in space: 0.17 on average for k = 16, and 97 % are above 0.07;
   // that of a surface is, by Gaussian noise as large as the neighborhood, about 0.1 as well, but
   // noise does not widen neighborhoods to 3 times the median
   constexpr double volumetric = 0.07;
-  constexpr double far_radius = 3.;
 
   const std::size_t n = cloud.size();
-  // the median of some points, evenly along the curve: it need not be exact
-  const std::size_t number_of_probes = (std::min)(std::size_t(10000), n);
-  std::vector<double> area(number_of_probes);
-  for (std::size_t i = 0; i < number_of_probes; ++i)
-    area[i] = features.inverse_density[i * n / number_of_probes];
-  const auto median = area.begin() + static_cast<std::ptrdiff_t>(number_of_probes / 2);
-  std::nth_element(area.begin(), median, area.end());
-  const double far_area = far_radius * far_radius * *median;
-
+  const double far = far_inverse_density(shared.features.inverse_density);
   std::vector<std::uint8_t> is_outlier(n, 0);
   std::vector<std::atomic<std::uint32_t>> votes(n); // sums of integers: the order does not matter
   // A quarter of the votes: a corner of an open surface, the least that a surface has, gets a half.
@@ -74,27 +97,34 @@ std::vector<std::uint8_t> find_outliers(const Cloud& cloud, const Neighbor_searc
   for_each_index<ConcurrencyTag>(0, n,
                                  [&](std::size_t i)
                                  {
-    votes[i].store(features.votes[i], std::memory_order_relaxed);
-    is_outlier[i] = features.votes[i] < few_votes || (features.inverse_density[i] > far_area &&
-                                                      features.curvature[i] > volumetric)
-                        ? 1
-                        : 0;
+    votes[i].store(shared.votes[i], std::memory_order_relaxed);
+    is_outlier[i] =
+        shared.features.inverse_density[i] > far && shared.features.curvature[i] > volumetric ? 1
+                                                                                              : 0;
   });
+  const auto mark = [&](std::size_t needed_votes)
+  {
+    return mark_those_with_less_votes<ConcurrencyTag>(cloud, search, shared, k, votes, needed_votes,
+                                                      is_outlier);
+  };
   // Outliers found take their votes back, until that uncovers no more.
   const auto take_votes_back = [&](std::vector<std::size_t> found)
   {
     while (!found.empty())
     {
       for_each_index<ConcurrencyTag>(0, found.size(),
-                                     [&](std::size_t i)
+                                     [&](std::size_t f)
                                      {
-        search.for_each_nearest(cloud.points[found[i]], k + 1,
-                                [&](std::size_t j, const Point&, double)
-                                { votes[j].fetch_sub(1, std::memory_order_relaxed); });
+        const std::uint32_t number = shared.represented[found[f]];
+        if (number > 0)
+          search.for_each_nearest(cloud.points[found[f]], k + 1,
+                                  [&](std::size_t j, const Point&, double)
+                                  { votes[j].fetch_sub(number, std::memory_order_relaxed); });
       });
-      found = mark_those_with_less_votes<ConcurrencyTag>(votes, few_votes, is_outlier);
+      found = mark(few_votes);
     }
   };
+  mark(few_votes);
   std::vector<std::size_t> found =
       indices_where<ConcurrencyTag>(n, [&](std::size_t i) { return is_outlier[i] != 0; });
   // Where there are more than a few outliers, some hide near the surface, between its corners' votes
@@ -103,7 +133,7 @@ std::vector<std::uint8_t> find_outliers(const Cloud& cloud, const Neighbor_searc
   const bool are_many = found.size() > n / 1000;
   take_votes_back(std::move(found));
   if (are_many)
-    take_votes_back(mark_those_with_less_votes<ConcurrencyTag>(votes, k / 2, is_outlier));
+    take_votes_back(mark(k / 2));
   return is_outlier;
 }
 

@@ -21,6 +21,7 @@
 #include <CGAL/Curvature_aware_simplification_3/internal/scan.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/select_along_curve.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/select_points.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/shared_features.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/smooth_points.h>
 
 #include <CGAL/Curvature_aware_simplification_report.h>
@@ -40,13 +41,20 @@ namespace internal {
 // The samples, in the frame. All that the stages need is measured in the input: outliers, noise,
 // density, curvature at the distance of the samples. Takes what it is given, and lets go of each part
 // when it is not needed any more: the search tree is as large as all else.
-template <typename ConcurrencyTag>
+template <typename ConcurrencyTag, typename DiagonalizeTraits>
 Distinct_samples simplify_adaptively(Cloud cloud, std::unique_ptr<Neighbor_search> search,
-                                     Features features, const Parameters& parameters,
+                                     const Parameters& parameters,
                                      const Adaptive_settings& settings, const Progress& progress,
                                      Curvature_aware_simplification_report& report)
 {
   Stopwatch stopwatch;
+  Shared_features shared = compute_shared_features<ConcurrencyTag, DiagonalizeTraits>(
+      cloud, *search, parameters.number_of_neighbors, progress.part(0., 0.3));
+  Features& features = shared.features;
+  report.features_time = stopwatch.lap();
+  report.maximum_surface_variation =
+      *std::max_element(features.curvature.begin(), features.curvature.end());
+
   const std::size_t number_of_samples = parameters.number_of_output_points;
   if (number_of_samples >= cloud.size()) // all points, and duplicates
     return distinct_samples(cloud, select_points<ConcurrencyTag>(cloud, features, parameters));
@@ -59,8 +67,7 @@ Distinct_samples simplify_adaptively(Cloud cloud, std::unique_ptr<Neighbor_searc
   if (settings.find_outliers)
   {
     const std::vector<std::uint8_t> is_outlier =
-        find_outliers<ConcurrencyTag>(cloud, *search, features, k);
-    features.votes = std::vector<std::uint32_t>();
+        find_outliers<ConcurrencyTag>(cloud, *search, shared, k);
     const std::size_t outliers = reduce_indices<ConcurrencyTag>(
         distinct, std::size_t(0), [&](std::size_t i) { return std::size_t(is_outlier[i]); },
         std::plus<std::size_t>());
@@ -76,6 +83,8 @@ Distinct_samples simplify_adaptively(Cloud cloud, std::unique_ptr<Neighbor_searc
       search.reset(new Neighbor_search(points, ConcurrencyTag()));
     }
   }
+  shared.votes = std::vector<std::uint32_t>();
+  shared.represented = std::vector<std::uint8_t>();
   report.number_of_outliers = distinct - points.size();
   report.outliers_time = stopwatch.lap();
 
@@ -94,7 +103,7 @@ Distinct_samples simplify_adaptively(Cloud cloud, std::unique_ptr<Neighbor_searc
   if (settings.smooth_points && noise_is_visible)
   {
     left = smooth_points<ConcurrencyTag>(points, features.inverse_density, is_bent, *search, noise,
-                                         number_of_samples, progress.part(0., 0.2));
+                                         number_of_samples, progress.part(0.3, 0.4));
     search.reset();
     search.reset(new Neighbor_search(points, ConcurrencyTag()));
   }
@@ -106,7 +115,7 @@ Distinct_samples simplify_adaptively(Cloud cloud, std::unique_ptr<Neighbor_searc
   {
     Sampling_density wanted = sampling_density<ConcurrencyTag>(
         points, *search, features.inverse_density, number_of_samples, parameters.adaptivity,
-        left.noise, cloud.coordinate_error, settings, progress.part(0.2, 0.3));
+        left.noise, cloud.coordinate_error, settings, progress.part(0.4, 0.5));
     features = Features();
     selected = select_along_curve<ConcurrencyTag>(std::move(wanted.weight), number_of_samples,
                                                   parameters.random_seed);
@@ -117,15 +126,15 @@ Distinct_samples simplify_adaptively(Cloud cloud, std::unique_ptr<Neighbor_searc
   }
   report.selection_time = stopwatch.lap();
 
-  for_each_index<ConcurrencyTag>(samples.size(), progress.part(0.3, 0.4),
+  for_each_index<ConcurrencyTag>(samples.size(), progress.part(0.5, 0.6),
                                  [&](std::size_t i)
                                  { samples[i].place(fit, points[selected[i]], NULL_VECTOR); });
   const Sample_neighbors neighbors =
       relax_on_surface<ConcurrencyTag>(samples, fit, parameters.number_of_iterations,
-                                       parameters.repulsion_weight, progress.part(0.4, 0.8));
+                                       parameters.repulsion_weight, progress.part(0.6, 0.85));
   report.relaxation_time = stopwatch.lap();
 
-  const Progress final_progress = progress.part(0.8, 0.95);
+  const Progress final_progress = progress.part(0.85, 0.97);
   if (settings.denoise && noise_is_visible)
     denoise_samples<ConcurrencyTag>(samples, fit, final_progress);
   else
@@ -133,7 +142,7 @@ Distinct_samples simplify_adaptively(Cloud cloud, std::unique_ptr<Neighbor_searc
                                    [&](std::size_t i)
                                    { samples[i].place(fit, samples[i].point, samples[i].normal); });
   if (settings.move_to_edges)
-    move_to_edges<ConcurrencyTag>(samples, neighbors, fit, is_bent, progress.part(0.95, 1.));
+    move_to_edges<ConcurrencyTag>(samples, neighbors, fit, is_bent, progress.part(0.97, 1.));
   std::vector<Point> result(samples.size());
   for_each_index<ConcurrencyTag>(0, samples.size(),
                                  [&](std::size_t i) { result[i] = samples[i].point; });

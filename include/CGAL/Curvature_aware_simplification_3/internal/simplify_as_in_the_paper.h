@@ -17,6 +17,7 @@
 
 #include <CGAL/Curvature_aware_simplification_report.h>
 
+#include <algorithm>
 #include <limits>
 
 namespace CGAL {
@@ -26,11 +27,16 @@ namespace internal {
 // The selection of sec. 4.1 and the relaxation of eq. 8, literally: the samples in the frame
 template <typename ConcurrencyTag, typename DiagonalizeTraits>
 Distinct_samples simplify_as_in_the_paper(const Cloud& cloud, const Neighbor_search& search,
-                                          const Features& features, const Parameters& parameters,
-                                          const Progress& progress,
+                                          const Parameters& parameters, const Progress& progress,
                                           Curvature_aware_simplification_report& report)
 {
   Stopwatch stopwatch;
+  const Features features = compute_features<ConcurrencyTag, DiagonalizeTraits>(
+      cloud, search, parameters.number_of_neighbors, progress.part(0., 0.5));
+  report.features_time = stopwatch.lap();
+  report.maximum_surface_variation =
+      *std::max_element(features.curvature.begin(), features.curvature.end());
+
   Distinct_samples samples =
       distinct_samples(cloud, select_points<ConcurrencyTag>(cloud, features, parameters));
   report.selection_time = stopwatch.lap();
@@ -42,7 +48,7 @@ Distinct_samples simplify_as_in_the_paper(const Cloud& cloud, const Neighbor_sea
   // A ball smaller than the rounding error of the coordinates holds nothing but its center.
   if (h > std::numeric_limits<double>::epsilon())
     samples.points = relax_repeatedly<ConcurrencyTag, DiagonalizeTraits>(
-        samples.points, cloud, search, features, h, parameters, progress);
+        samples.points, cloud, search, features, h, parameters, progress.part(0.5, 1.));
   report.relaxation_time = stopwatch.lap();
   report.output_spacing = cloud.frame.length_from_frame(spacing);
   report.neighbor_radius = cloud.frame.length_from_frame(h);

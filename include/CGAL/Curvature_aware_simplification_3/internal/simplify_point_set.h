@@ -19,7 +19,6 @@
 
 #include <CGAL/Named_function_parameters.h>
 
-#include <algorithm>
 #include <cstddef>
 #include <functional>
 #include <memory>
@@ -56,25 +55,16 @@ OutputIterator simplify_point_set(const PointRange& points, OutputIterator outpu
     std::unique_ptr<Neighbor_search> search(new Neighbor_search(cloud.points, ConcurrencyTag()));
     report.sorting_time = stopwatch.lap();
 
-    Features features = compute_features<ConcurrencyTag, Diagonalize_traits>(
-        cloud, *search, parameters.number_of_neighbors, progress.part(0., 0.4));
-    report.features_time = stopwatch.lap();
-
     report.number_of_input_points = cloud.input_size();
     report.number_of_distinct_points = cloud.size();
     report.number_of_output_points = parameters.number_of_output_points;
-    report.maximum_surface_variation =
-        *std::max_element(features.curvature.begin(), features.curvature.end());
-
     const Frame frame = cloud.frame;
-    const Progress simplification_progress = progress.part(0.4, 1.);
     const Distinct_samples samples =
         parameters.settings_of_the_paper
             ? simplify_as_in_the_paper<ConcurrencyTag, Diagonalize_traits>(
-                  cloud, *search, features, parameters, simplification_progress, report)
-            : simplify_adaptively<ConcurrencyTag>(std::move(cloud), std::move(search),
-                                                  std::move(features), parameters, settings,
-                                                  simplification_progress, report);
+                  cloud, *search, parameters, progress, report)
+            : simplify_adaptively<ConcurrencyTag, Diagonalize_traits>(
+                  std::move(cloud), std::move(search), parameters, settings, progress, report);
 
     progress.report(1.);
     choose_parameter(get_parameter(np, internal_np::simplification_report), std::ref(report))

@@ -1,0 +1,143 @@
+// Copyright (c) 2026 The authors of Curvature_aware_simplification_3.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_SHARED_FEATURES_H
+#define CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_SHARED_FEATURES_H
+
+#include <CGAL/Curvature_aware_simplification_3/internal/Cloud.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/Neighbor_search.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/features.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/loops.h>
+
+#include <algorithm>
+#include <atomic>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+namespace CGAL {
+namespace Curvature_aware_simplification_3 {
+namespace internal {
+
+// Features of which a point may have those of one nearby, its representative: where the neighborhood of
+// a point is flat, those in its inner half see the same, and need not have their neighbors looked up.
+struct Shared_features
+{
+  Features features;
+  std::vector<std::uint8_t>
+      represented; // how many points have the features of this one, itself among
+                   // them; 0 if it has those of another one
+  std::vector<std::uint32_t>
+      votes; // of other points that have this one among the k nearest; a vote
+             // counts for all whom the voter represents, so k on average
+};
+
+// Points with more than this 1/rho are so sparse that they may be outliers: 3 times the median radius
+inline double far_inverse_density(const std::vector<double>& inverse_density)
+{
+  constexpr double far_radius = 3.;
+  // the median of some points, evenly along the curve: it need not be exact
+  const std::size_t number_of_probes = (std::min)(std::size_t(10000), inverse_density.size());
+  std::vector<double> probes(number_of_probes);
+  for (std::size_t i = 0; i < number_of_probes; ++i)
+    probes[i] = inverse_density[i * inverse_density.size() / number_of_probes];
+  const auto median = probes.begin() + static_cast<std::ptrdiff_t>(number_of_probes / 2);
+  std::nth_element(probes.begin(), median, probes.end());
+  return far_radius * far_radius * *median;
+}
+
+// O(n (log n + k)), but k-nearest-neighbor queries for a quarter of the points only, where these are
+// dense against shape and noise
+template <typename ConcurrencyTag, typename DiagonalizeTraits>
+Shared_features compute_shared_features(const Cloud& cloud, const Neighbor_search& search,
+                                        std::size_t number_of_neighbors, const Progress& progress)
+{
+  // Of the squared radius. Points that are that near are in half of the neighborhood, and so get the
+  // votes of a part of it at least. And an outlier over a surface that has such neighbors there is so
+  // near that its 1/rho is less than twice as large as theirs.
+  constexpr double inner_half = 0.5;
+  // kappa of a fold of 45 degrees, and less than a tenth of that of points spread evenly in space:
+  // what is next to edges, noise and outliers have features of their own.
+  constexpr double flat = 0.02;
+  // Points share within blocks of so many along the Hilbert curve only, one after the other, so that
+  // the result does not depend on threads. Few neighborhoods meet the border of such a block.
+  constexpr std::size_t block_size = 1024;
+  constexpr std::uint8_t most = (std::numeric_limits<std::uint8_t>::max)();
+
+  struct Neighbor
+  {
+    std::size_t index;
+    double squared_distance;
+  };
+
+  const std::size_t n = cloud.size();
+  const std::size_t size = neighborhood_size(number_of_neighbors, n);
+  Shared_features shared{{std::vector<double>(n), std::vector<double>(n)},
+                         std::vector<std::uint8_t>(n, 0),
+                         std::vector<std::uint32_t>(n)};
+  std::vector<std::uint8_t>& represented = shared.represented;
+  const auto assign = [&](std::size_t i, const Local_features& local)
+  {
+    shared.features.curvature[i] = local.curvature;
+    shared.features.inverse_density[i] = local.inverse_density;
+  };
+
+  std::vector<std::uint8_t> is_done(n, 0);
+  std::vector<std::atomic<std::uint32_t>> votes(n); // sums of integers: the order does not matter
+  for_each_index<ConcurrencyTag>((n + block_size - 1) / block_size, progress,
+                                 [&](std::size_t block)
+                                 {
+    static thread_local std::vector<Neighbor> neighbors;
+    const std::size_t begin = block * block_size, end = (std::min)(n, begin + block_size);
+    for (std::size_t i = begin; i < end; ++i)
+    {
+      if (is_done[i] != 0)
+        continue;
+      neighbors.clear();
+      const Local_features local =
+          local_features<DiagonalizeTraits>(search, cloud.points[i], size, cloud.coordinate_error,
+                                            [&](std::size_t j, double squared_distance) {
+        neighbors.push_back({j, squared_distance});
+          });
+      const bool is_flat = local.curvature <= flat;
+      const double limit = inner_half * local.inverse_density * static_cast<double>(size - 1);
+      assign(i, local);
+      is_done[i] = 1;
+      represented[i] = 1;
+      for (const Neighbor& neighbor : neighbors)
+      {
+        const std::size_t j = neighbor.index;
+        if (is_flat && neighbor.squared_distance <= limit && j >= begin && j < end &&
+            is_done[j] == 0 && represented[i] < most)
+        {
+          assign(j, local);
+          is_done[j] = 1;
+          ++represented[i];
+        }
+      }
+      for (const Neighbor& neighbor : neighbors)
+        votes[neighbor.index].fetch_add(represented[i], std::memory_order_relaxed);
+    }
+  });
+
+  // Far from all others, an outlier and its neighbors may happen to be flat: there, each speaks for itself.
+  const double far = far_inverse_density(shared.features.inverse_density);
+  for_each_index<ConcurrencyTag>(0, n,
+                                 [&](std::size_t i)
+                                 {
+    if (represented[i] == 0 && shared.features.inverse_density[i] > far)
+      assign(i, local_features<DiagonalizeTraits>(search, cloud.points[i], size,
+                                                  cloud.coordinate_error));
+    shared.votes[i] = votes[i].load(std::memory_order_relaxed) - represented[i]; // not its own
+  });
+  return shared;
+}
+
+} // namespace internal
+} // namespace Curvature_aware_simplification_3
+} // namespace CGAL
+
+#endif // CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_SHARED_FEATURES_H
