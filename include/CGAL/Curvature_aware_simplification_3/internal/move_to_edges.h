@@ -6,6 +6,7 @@
 #ifndef CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_MOVE_TO_EDGES_H
 #define CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_MOVE_TO_EDGES_H
 
+#include <CGAL/Curvature_aware_simplification_3/internal/Neighbor_search.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Neighborhood.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Progress.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Sample_neighbors.h>
@@ -18,7 +19,6 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <limits>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -85,13 +85,12 @@ bool is_seen_by_samples(const Fold& fold, const Point& center, const Neighbors& 
   return 5 * on_fold >= 4 * number && only_on[0] > 0 && only_on[1] > 0;
 }
 
-// The nearest point of a sharp edge near a sample, if there is one. `is_bent` tells for each point of
-// the fit's search whether there may be one.
+// The nearest point of a sharp edge near a sample, if there is one. `bent` finds the points of the input
+// at which there may be one.
 template <typename Neighbors>
 std::optional<Edge_point> nearest_edge_point(const Surface_sample& x, const Neighbors& neighbors,
                                              const std::vector<Point>& points,
-                                             const Surface_fit& fit,
-                                             const std::vector<std::uint8_t>& is_bent)
+                                             const Surface_fit& fit, const Neighbor_search& bent)
 {
   // In spacings. A strip as wide on both sides of the edge holds 1.3 * 1.15 = 1.5 samples for each
   // spacing of its length, more than the one that it needs.
@@ -105,19 +104,15 @@ std::optional<Edge_point> nearest_edge_point(const Surface_sample& x, const Neig
 
   if (!(x.surface.radius > 0.))
     return std::nullopt;
-  std::pair<double, std::size_t> nearest(std::numeric_limits<double>::infinity(), 0);
   Point center = x.point;
-  fit.search.for_each_within(x.point, reach * x.spacing,
-                             [&](std::size_t i, const Point& p, double squared_distance)
-                             {
-    const std::pair<double, std::size_t> candidate(squared_distance, i);
-    if (is_bent[i] != 0 && candidate < nearest)
-    {
-      nearest = candidate;
-      center = p;
-    }
+  double squared_distance_to_bent = 0.;
+  bent.for_each_nearest(x.point, 1,
+                        [&](std::size_t, const Point& p, double squared_distance)
+                        {
+    center = p;
+    squared_distance_to_bent = squared_distance;
   });
-  if (!(nearest.first < std::numeric_limits<double>::infinity()))
+  if (squared_distance_to_bent > reach * reach * x.spacing * x.spacing)
     return std::nullopt;
 
   const double radius = radius_in_noise * fit.noise / x.surface.radius;
@@ -140,23 +135,27 @@ std::optional<Edge_point> nearest_edge_point(const Surface_sample& x, const Neig
 }
 
 // Moves samples next to a sharp edge onto it. Whatever surface is reconstructed, it cuts off an edge
-// that no samples are on, and a quadric rounds it. `neighbors` are those of about these places.
+// that no samples are on, and a quadric rounds it. `neighbors` are those of about these places, `bent` the
+// points of the input at which there may be an edge.
 template <typename ConcurrencyTag>
 void move_to_edges(std::vector<Surface_sample>& samples, const Sample_neighbors& neighbors,
-                   const Surface_fit& fit, const std::vector<std::uint8_t>& is_bent,
-                   const Progress& progress)
+                   const Surface_fit& fit, const std::vector<Point>& bent, const Progress& progress)
 {
   // In spacings: of samples that would go to nearly the same place, only the nearest does. With 0.15
   // to 0.45, errors at 10 % of the points are the same within 3 %.
   constexpr double too_close = 0.3;
 
+  if (bent.empty())
+    return;
+  // a tree of their own: most inputs have few of them
+  const Neighbor_search bent_search(bent, ConcurrencyTag());
   std::vector<Point> points(samples.size());
   for_each_index<ConcurrencyTag>(0, samples.size(),
                                  [&](std::size_t i) { points[i] = samples[i].point; });
   std::vector<std::optional<Edge_point>> edge_points(samples.size());
   for_each_index<ConcurrencyTag>(samples.size(), progress,
                                  [&](std::size_t i) {
-    edge_points[i] = nearest_edge_point(samples[i], neighbors.of(i), points, fit, is_bent);
+    edge_points[i] = nearest_edge_point(samples[i], neighbors.of(i), points, fit, bent_search);
   });
   for_each_index<ConcurrencyTag>(0, samples.size(),
                                  [&](std::size_t i)

@@ -142,7 +142,13 @@ Distinct_samples simplify_adaptively(Cloud cloud, std::unique_ptr<Neighbor_searc
                                    [&](std::size_t i)
                                    { samples[i].place(fit, samples[i].point, samples[i].normal); });
   if (settings.move_to_edges)
-    move_to_edges<ConcurrencyTag>(samples, neighbors, fit, is_bent, progress.part(0.97, 1.));
+  {
+    const std::vector<Point> bent =
+        elements_at<ConcurrencyTag>(indices_where<ConcurrencyTag>(points.size(), [&](std::size_t i)
+                                                                  { return is_bent[i] != 0; }),
+                                    points);
+    move_to_edges<ConcurrencyTag>(samples, neighbors, fit, bent, progress.part(0.97, 1.));
+  }
   std::vector<Point> result(samples.size());
   for_each_index<ConcurrencyTag>(0, samples.size(),
                                  [&](std::size_t i) { result[i] = samples[i].point; });
