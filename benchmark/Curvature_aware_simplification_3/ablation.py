@@ -25,6 +25,7 @@ IDEAS = [
     ("balls of fits not moved to foot points", "moves_to_foot_point=0"),
     ("narrowest fits only", "denoise=0"),
     ("samples not moved to sharp edges", "move_to_edges=0"),
+    ("samples not moved into corners of borders", "move_to_corners=0"),
 ]
 MEASURES = [("recon_mean", "mean"), ("recon_p99", "p99"), ("recon_max", "max"),
             ("distance_mean", "Δ mean")]

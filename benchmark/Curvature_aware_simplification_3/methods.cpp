@@ -226,6 +226,7 @@ Setting with_parameters(const std::string& parameters)
   set("moves_to_foot_point", settings.moves_to_foot_point);
   set("denoise", settings.denoise);
   set("move_to_edges", settings.move_to_edges);
+  set("move_to_corners", settings.move_to_corners);
 
   return {parameters, [=](const Task& given)
           {

@@ -969,12 +969,50 @@ TEST(Adaptive, puts_samples_on_sharp_edges)
   EXPECT_GT(on_edges(simplified(noisy, np::number_of_output_points(3000)), 0.002), 12. / 0.054);
 }
 
-TEST(Adaptive, sees_no_edges_where_there_are_none)
+TEST(Adaptive, puts_one_sample_into_each_corner_of_an_open_surface)
+{
+  const auto squared_distances = [](const std::vector<Point>& points, double x, double y)
+  {
+    std::vector<double> result;
+    for (const Point& p : points)
+      result.push_back((p.x() - x) * (p.x() - x) + (p.y() - y) * (p.y() - y));
+    std::sort(result.begin(), result.end());
+    return result;
+  };
+  // of 36 corners
+  const auto check = [&](double sigma, int least_filled, int most_crowded)
+  {
+    int filled = 0, crowded = 0;
+    for (std::size_t n : {300u, 1000u, 3000u})
+      for (unsigned int seed : {91u, 92u, 93u})
+      {
+        const std::vector<Point> output =
+            simplified(with_noise(surfaces::square(30000, seed), sigma, seed + 10),
+                       np::number_of_output_points(n));
+        const double spacing = std::sqrt(2. / (std::sqrt(3.) * static_cast<double>(n)));
+        for (double x : {0., 1.})
+          for (double y : {0., 1.})
+          {
+            const std::vector<double> found = squared_distances(output, x, y);
+            EXPECT_LT(std::sqrt(found[0]), spacing) << n << ' ' << sigma << ' ' << seed;
+            filled += std::sqrt(found[0]) < 0.45 * spacing ? 1 : 0;
+            crowded += std::sqrt(found[1]) < 0.45 * spacing ? 1 : 0;
+          }
+      }
+    EXPECT_GE(filled, least_filled) << sigma;
+    EXPECT_LE(crowded, most_crowded) << sigma;
+  };
+  check(0., 36, 0);
+  check(0.001, 30, 5); // a sixth of the input's spacing, that far a corner is blurred
+}
+
+TEST(Adaptive, sees_no_edges_and_no_corners_where_there_are_none)
 {
   // as if there were no search for them
   const std::vector<Point> points = surfaces::torus(20000, 3., 1., 90);
   Adaptive_settings without;
   without.move_to_edges = false;
+  without.move_to_corners = false;
   const auto result = [&](const Adaptive_settings& settings)
   {
     std::vector<Point> output;

@@ -51,6 +51,8 @@ struct Adaptive_settings
   bool denoise = true;
   // Samples next to a sharp edge are moved onto it.
   bool move_to_edges = true;
+  // Samples next to a corner of an open surface are moved into it.
+  bool move_to_corners = true;
 };
 
 } // namespace internal

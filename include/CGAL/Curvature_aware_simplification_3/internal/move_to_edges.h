@@ -13,6 +13,7 @@
 #include <CGAL/Curvature_aware_simplification_3/internal/features.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/fit_fold.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/loops.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/move_to_targets.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/relax_on_surface.h>
 
 #include <algorithm>
@@ -20,7 +21,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
-#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -50,13 +50,6 @@ std::vector<std::uint8_t> bent_points(const Features& features, std::size_t numb
   });
   return is_bent;
 }
-
-// Where a sample may be moved to
-struct Edge_point
-{
-  Point point;
-  double distance; // in spacings
-};
 
 // Whether the fold is more than a detail between the samples: nearly all of the nearest samples are on
 // it, and some on each side.
@@ -88,9 +81,9 @@ bool is_seen_by_samples(const Fold& fold, const Point& center, const Neighbors& 
 // The nearest point of a sharp edge near a sample, if there is one. `bent` finds the points of the input
 // at which there may be one.
 template <typename Neighbors>
-std::optional<Edge_point> nearest_edge_point(const Surface_sample& x, const Neighbors& neighbors,
-                                             const std::vector<Point>& points,
-                                             const Surface_fit& fit, const Neighbor_search& bent)
+std::optional<Target> nearest_edge_point(const Surface_sample& x, const Neighbors& neighbors,
+                                         const std::vector<Point>& points, const Surface_fit& fit,
+                                         const Neighbor_search& bent)
 {
   // In spacings. A strip as wide on both sides of the edge holds 1.3 * 1.15 = 1.5 samples for each
   // spacing of its length, more than the one that it needs.
@@ -131,7 +124,7 @@ std::optional<Edge_point> nearest_edge_point(const Surface_sample& x, const Neig
       (from_center + way).squared_length() > neighborhood.radius * neighborhood.radius ||
       !is_seen_by_samples(fold, center, neighbors, points, x.spacing))
     return std::nullopt;
-  return Edge_point{x.point + way, distance};
+  return Target{x.point + way, distance};
 }
 
 // Moves samples next to a sharp edge onto it. Whatever surface is reconstructed, it cuts off an edge
@@ -149,30 +142,13 @@ void move_to_edges(std::vector<Surface_sample>& samples, const Sample_neighbors&
     return;
   // a tree of their own: most inputs have few of them
   const Neighbor_search bent_search(bent, ConcurrencyTag());
-  std::vector<Point> points(samples.size());
-  for_each_index<ConcurrencyTag>(0, samples.size(),
-                                 [&](std::size_t i) { points[i] = samples[i].point; });
-  std::vector<std::optional<Edge_point>> edge_points(samples.size());
+  const std::vector<Point> points = points_of<ConcurrencyTag>(samples);
+  std::vector<std::optional<Target>> targets(samples.size());
   for_each_index<ConcurrencyTag>(samples.size(), progress,
                                  [&](std::size_t i) {
-    edge_points[i] = nearest_edge_point(samples[i], neighbors.of(i), points, fit, bent_search);
+    targets[i] = nearest_edge_point(samples[i], neighbors.of(i), points, fit, bent_search);
   });
-  for_each_index<ConcurrencyTag>(0, samples.size(),
-                                 [&](std::size_t i)
-                                 {
-    const std::optional<Edge_point>& own = edge_points[i];
-    if (!own)
-      return;
-    const double gap = too_close * samples[i].spacing;
-    for (std::size_t j : neighbors.of(i))
-    {
-      const std::optional<Edge_point>& other = edge_points[j];
-      if (other && std::make_pair(other->distance, j) < std::make_pair(own->distance, i) &&
-          (other->point - own->point).squared_length() < gap * gap)
-        return;
-    }
-    samples[i].point = own->point;
-  });
+  move_to_targets<ConcurrencyTag>(samples, targets, neighbors, too_close);
 }
 
 } // namespace internal

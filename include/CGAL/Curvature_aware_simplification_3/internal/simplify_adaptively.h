@@ -13,6 +13,7 @@
 #include <CGAL/Curvature_aware_simplification_3/internal/features.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/find_outliers.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/loops.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/move_to_corners.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/move_to_edges.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/noise_level.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/parameters.h>
@@ -147,8 +148,10 @@ Distinct_samples simplify_adaptively(Cloud cloud, std::unique_ptr<Neighbor_searc
         elements_at<ConcurrencyTag>(indices_where<ConcurrencyTag>(points.size(), [&](std::size_t i)
                                                                   { return is_bent[i] != 0; }),
                                     points);
-    move_to_edges<ConcurrencyTag>(samples, neighbors, fit, bent, progress.part(0.97, 1.));
+    move_to_edges<ConcurrencyTag>(samples, neighbors, fit, bent, progress.part(0.97, 0.99));
   }
+  if (settings.move_to_corners)
+    move_to_corners<ConcurrencyTag>(samples, neighbors, fit, progress.part(0.99, 1.));
   std::vector<Point> result(samples.size());
   for_each_index<ConcurrencyTag>(0, samples.size(),
                                  [&](std::size_t i) { result[i] = samples[i].point; });

@@ -1,0 +1,127 @@
+// Copyright (c) 2026 The authors of Curvature_aware_simplification_3.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_MOVE_TO_CORNERS_H
+#define CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_MOVE_TO_CORNERS_H
+
+#include <CGAL/Curvature_aware_simplification_3/internal/Neighborhood.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/Progress.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/Sample_neighbors.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/fit_local_surface.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/loops.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/move_to_targets.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/relax_on_surface.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <optional>
+#include <vector>
+
+namespace CGAL {
+namespace Curvature_aware_simplification_3 {
+namespace internal {
+
+// Where the samples end around x, in its tangent plane: from the mean of its nearest neighbors to x, over
+// their mean distance. About the null vector amid samples; on a border it has a length of 2 / pi = 0.64.
+template <typename Neighbors>
+Vector way_out(const Surface_sample& x, const Neighbors& neighbors,
+               const std::vector<Point>& points)
+{
+  constexpr std::size_t most = 8; // the ring around a sample, and some more
+  Vector sum(0., 0., 0.);
+  double length = 0.;
+  std::size_t number = 0;
+  for (std::size_t i : neighbors)
+  {
+    if (++number > most)
+      break;
+    const Vector d = x.point - points[i];
+    const Vector t = d - (d * x.normal) * x.normal;
+    sum = sum + t;
+    length += std::sqrt(t.squared_length());
+  }
+  return length > 0. ? sum / length : sum;
+}
+
+// Whether the neighbors are in a part of a plane that is clearly less than a half, and their center is its
+// corner: the mean of those in a half disk of radius R is 0.42 R off its center, in a third 0.55 R, in a
+// quarter 0.6 R.
+inline bool is_corner(const Neighborhood& neighborhood)
+{
+  constexpr double least = 0.5;
+  Vector sum(0., 0., 0.);
+  for (const Neighborhood::Neighbor& neighbor : neighborhood.neighbors)
+    sum = sum + neighbor.position;
+  const double limit = least * neighborhood.radius * static_cast<double>(neighborhood.size());
+  return sum.squared_length() > limit * limit;
+}
+
+// The corner of an open surface next to a sample, if there is one: the last point of the input on the way
+// out of the samples, if it is a corner of the input and no other sample is nearer to it.
+template <typename Neighbors>
+std::optional<Target> nearest_corner(const Surface_sample& x, const Neighbors& neighbors,
+                                     const std::vector<Point>& points, const Surface_fit& fit)
+{
+  constexpr double at_border = 0.55; // what ends there, without all that is farther inside
+  // In spacings. Samples that are pushed into a corner leave it to none or to one, which is nearer
+  // than its neighbors are.
+  constexpr double reach = 1.;
+  // With 64 random points in a half disk, the mean is as far off its center as in a third of one, or
+  // farther, once in a thousand borders.
+  constexpr std::size_t k = 65;
+
+  const Vector out = way_out(x, neighbors, points);
+  if (!(out.squared_length() > at_border * at_border))
+    return std::nullopt;
+  Point last = x.point;
+  double farthest = -std::numeric_limits<double>::infinity();
+  fit.search.for_each_within(x.point, reach * x.spacing,
+                             [&](std::size_t, const Point& p, double)
+                             {
+    const double way = (p - x.point) * out;
+    if (way > farthest)
+    {
+      farthest = way;
+      last = p;
+    }
+  });
+  static thread_local Neighborhood neighborhood;
+  neighborhood.collect(fit.search, last, (std::min)(k, fit.number_of_points));
+  if (!is_corner(neighborhood))
+    return std::nullopt;
+  const Point corner =
+      fit_local_surface(fit, last, x.normal, x.surface.neighbors, neighborhood).origin;
+  const double squared_way = squared_distance(x.point, corner);
+  for (std::size_t i : neighbors)
+    if (squared_distance(points[i], corner) < squared_way)
+      return std::nullopt;
+  return Target{corner, std::sqrt(squared_way) / x.spacing};
+}
+
+// Moves samples next to a corner of an open surface into it. They are pushed towards it, but stop at the
+// border on one side of it, and whatever surface is reconstructed cuts off a corner without a sample.
+// `neighbors` are those of about these places.
+template <typename ConcurrencyTag>
+void move_to_corners(std::vector<Surface_sample>& samples, const Sample_neighbors& neighbors,
+                     const Surface_fit& fit, const Progress& progress)
+{
+  constexpr double one_for_each_corner = 1.; // in spacings
+
+  const std::vector<Point> points = points_of<ConcurrencyTag>(samples);
+  std::vector<std::optional<Target>> targets(samples.size());
+  for_each_index<ConcurrencyTag>(samples.size(), progress,
+                                 [&](std::size_t i) {
+    targets[i] = nearest_corner(samples[i], neighbors.of(i), points, fit);
+  });
+  move_to_targets<ConcurrencyTag>(samples, targets, neighbors, one_for_each_corner);
+}
+
+} // namespace internal
+} // namespace Curvature_aware_simplification_3
+} // namespace CGAL
+
+#endif // CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_MOVE_TO_CORNERS_H

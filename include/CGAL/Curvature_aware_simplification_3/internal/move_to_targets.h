@@ -1,0 +1,67 @@
+// Copyright (c) 2026 The authors of Curvature_aware_simplification_3.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_MOVE_TO_TARGETS_H
+#define CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_MOVE_TO_TARGETS_H
+
+#include <CGAL/Curvature_aware_simplification_3/internal/Sample_neighbors.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/loops.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/relax_on_surface.h>
+
+#include <cstddef>
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Curvature_aware_simplification_3 {
+namespace internal {
+
+// Where a sample may be moved to
+struct Target
+{
+  Point point;
+  double distance; // in spacings
+};
+
+template <typename ConcurrencyTag>
+std::vector<Point> points_of(const std::vector<Surface_sample>& samples)
+{
+  std::vector<Point> points(samples.size());
+  for_each_index<ConcurrencyTag>(0, samples.size(),
+                                 [&](std::size_t i) { points[i] = samples[i].point; });
+  return points;
+}
+
+// Moves samples to their targets. Of those that would come closer to each other than `too_close`
+// spacings, only the nearest does.
+template <typename ConcurrencyTag>
+void move_to_targets(std::vector<Surface_sample>& samples,
+                     const std::vector<std::optional<Target>>& targets,
+                     const Sample_neighbors& neighbors, double too_close)
+{
+  for_each_index<ConcurrencyTag>(0, samples.size(),
+                                 [&](std::size_t i)
+                                 {
+    const std::optional<Target>& own = targets[i];
+    if (!own)
+      return;
+    const double gap = too_close * samples[i].spacing;
+    for (std::size_t j : neighbors.of(i))
+    {
+      const std::optional<Target>& other = targets[j];
+      if (other && std::make_pair(other->distance, j) < std::make_pair(own->distance, i) &&
+          (other->point - own->point).squared_length() < gap * gap)
+        return;
+    }
+    samples[i].point = own->point;
+  });
+}
+
+} // namespace internal
+} // namespace Curvature_aware_simplification_3
+} // namespace CGAL
+
+#endif // CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_MOVE_TO_TARGETS_H
