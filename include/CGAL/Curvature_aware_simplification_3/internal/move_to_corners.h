@@ -66,10 +66,8 @@ template <typename Neighbors>
 std::optional<Target> nearest_corner(const Surface_sample& x, const Neighbors& neighbors,
                                      const std::vector<Point>& points, const Surface_fit& fit)
 {
-  constexpr double at_border = 0.55; // what ends there, without all that is farther inside
-  // In spacings. Samples that are pushed into a corner leave it to none or to one, which is nearer
-  // than its neighbors are.
-  constexpr double reach = 1.;
+  constexpr double at_border = 0.55; // somewhat less than on a straight one
+  constexpr double reach = 1.; // in spacings: where samples are even, one is nearer to a corner
   // With 64 random points in a half disk, the mean is as far off its center as in a third of one, or
   // farther, once in a thousand borders.
   constexpr std::size_t k = 65;
