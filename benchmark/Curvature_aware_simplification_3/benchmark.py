@@ -143,6 +143,7 @@ def main():
         figures = Figures(comparison, meshes, igea if igea.exists() else None, render, output)
         page += [("## Cost\n",
                   lambda: scaling(build, igea if igea.exists() else None, output)),
+                 ("", (HERE / "history.md").read_text),
                  ("## What each idea is worth\n",
                   lambda: ablation(comparison, igea if igea.exists() else None, meshes, output)),
                  ("## The paper, row by row\n", str),
