@@ -1006,6 +1006,32 @@ TEST(Adaptive, puts_one_sample_into_each_corner_of_an_open_surface)
   check(0.001, 30, 5); // a sixth of the input's spacing, that far a corner is blurred
 }
 
+TEST(Adaptive, takes_hardly_any_part_of_a_round_border_for_a_corner)
+{
+  std::vector<Point> disk;
+  for (const Point& p : surfaces::square(60000, 94))
+    if ((p.x() - 0.5) * (p.x() - 0.5) + (p.y() - 0.5) * (p.y() - 0.5) < 0.25)
+      disk.push_back(p);
+  Adaptive_settings without;
+  without.move_to_corners = false;
+  for (std::size_t n : {500u, 4000u})
+  {
+    std::vector<Point> output, expected;
+    simplify_point_set<Tag>(disk, std::back_inserter(output), np::number_of_output_points(n),
+                            Adaptive_settings());
+    simplify_point_set<Tag>(disk, std::back_inserter(expected), np::number_of_output_points(n),
+                            without);
+    const double spacing = std::sqrt(CGAL_PI / (2. * std::sqrt(3.) * static_cast<double>(n)));
+    double moved = 0.;
+    for (std::size_t i = 0; i < n; ++i)
+    {
+      moved += output[i] != expected[i] ? 1. : 0.;
+      EXPECT_LT(std::sqrt(CGAL::squared_distance(output[i], expected[i])), 0.8 * spacing);
+    }
+    EXPECT_LE(moved, 0.03 * CGAL_PI / spacing) << "of the samples on the border";
+  }
+}
+
 TEST(Adaptive, sees_no_edges_and_no_corners_where_there_are_none)
 {
   // as if there were no search for them

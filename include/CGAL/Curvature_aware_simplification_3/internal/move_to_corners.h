@@ -68,8 +68,8 @@ std::optional<Target> nearest_corner(const Surface_sample& x, const Neighbors& n
 {
   constexpr double at_border = 0.55; // somewhat less than on a straight one
   constexpr double reach = 1.; // in spacings: where samples are even, one is nearer to a corner
-  // With 64 random points in a half disk, the mean is as far off its center as in a third of one, or
-  // farther, once in a thousand borders.
+  // The mean of 64 random points in a half disk scatters: one in two hundred samples on the border of a
+  // disk is taken for one next to a corner, and moves by half a spacing at most.
   constexpr std::size_t k = 65;
 
   const Vector out = way_out(x, neighbors, points);

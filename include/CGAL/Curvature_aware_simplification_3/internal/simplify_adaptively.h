@@ -15,6 +15,7 @@
 #include <CGAL/Curvature_aware_simplification_3/internal/loops.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/move_to_corners.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/move_to_edges.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/move_to_targets.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/noise_level.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/parameters.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/relax_on_surface.h>
@@ -152,9 +153,7 @@ Distinct_samples simplify_adaptively(Cloud cloud, std::unique_ptr<Neighbor_searc
   }
   if (settings.move_to_corners)
     move_to_corners<ConcurrencyTag>(samples, neighbors, fit, progress.part(0.99, 1.));
-  std::vector<Point> result(samples.size());
-  for_each_index<ConcurrencyTag>(0, samples.size(),
-                                 [&](std::size_t i) { result[i] = samples[i].point; });
+  const std::vector<Point> result = points_of<ConcurrencyTag>(samples);
   report.projection_time = stopwatch.lap();
 
   report.noise_level = cloud.frame.length_from_frame(noise);
