@@ -6,14 +6,11 @@
 #ifndef CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_RELOCATE_SAMPLES_H
 #define CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_RELOCATE_SAMPLES_H
 
-#include <CGAL/Curvature_aware_simplification_3/internal/Local_surface.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Neighbor_search.h>
-#include <CGAL/Curvature_aware_simplification_3/internal/Progress.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Sample_neighbors.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/loops.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/move_to_targets.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/relax_on_surface.h>
-#include <CGAL/Curvature_aware_simplification_3/internal/scan.h>
 
 #include <algorithm>
 #include <array>
