@@ -19,7 +19,6 @@ IDEAS = [
     ("few and far neighbors push as many near ones do", "least_weight_of_neighbors=0"),
     ("samples without momentum", "momentum=0"),
     ("samples may cross borders", "keep_borders=0"),
-    ("samples not relocated to where the surface is far", "relocate_samples=0"),
     ("outliers not looked for", "find_outliers=0"),
     ("noise not measured", "measure_noise=0"),
     ("points not smoothed first", "smooth_points=0"),

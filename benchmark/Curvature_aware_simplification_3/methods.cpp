@@ -227,7 +227,6 @@ Setting with_parameters(const std::string& parameters)
   set("denoise", settings.denoise);
   set("move_to_edges", settings.move_to_edges);
   set("move_to_corners", settings.move_to_corners);
-  set("relocate_samples", settings.relocate_samples);
 
   return {parameters, [=](const Task& given)
           {

@@ -53,7 +53,7 @@ struct Curvature_aware_simplification_report
   double smoothing_time = 0.;
   /// stochastic selection, and what it depends on
   double selection_time = 0.;
-  /// all iterations of the relaxation, and the relocation of samples
+  /// all iterations of the relaxation
   double relaxation_time = 0.;
   /// final projection of the samples, and their way to sharp edges and corners of borders
   double projection_time = 0.;

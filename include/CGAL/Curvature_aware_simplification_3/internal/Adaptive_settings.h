@@ -44,9 +44,6 @@ struct Adaptive_settings
   // Samples are not pushed across a border.
   bool keep_borders = true;
 
-  // Samples are moved from where they are missed least to where the input is far from their surface.
-  bool relocate_samples = true;
-
   // How often the ball of a fit is moved to the foot point. Three moves bring a point
   // from 4 sigma to within the tolerance of sigma / 2.
   int moves_to_foot_point = 3;

@@ -19,7 +19,6 @@
 #include <CGAL/Curvature_aware_simplification_3/internal/noise_level.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/parameters.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/relax_on_surface.h>
-#include <CGAL/Curvature_aware_simplification_3/internal/relocate_samples.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/sampling_density.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/scan.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/select_along_curve.h>
@@ -132,13 +131,9 @@ Distinct_samples simplify_adaptively(Cloud cloud, std::unique_ptr<Neighbor_searc
   for_each_index<ConcurrencyTag>(samples.size(), progress.part(0.5, 0.6),
                                  [&](std::size_t i)
                                  { samples[i].place(fit, points[selected[i]], NULL_VECTOR); });
-  // a uniform distribution stays uniform
-  const bool relocate = settings.relocate_samples && parameters.adaptivity > 0.;
   const Sample_neighbors neighbors =
-      (relocate ? relax_and_relocate<ConcurrencyTag>
-                : relax_on_surface<ConcurrencyTag>)(samples, fit, parameters.number_of_iterations,
-                                                    parameters.repulsion_weight,
-                                                    progress.part(0.6, 0.85));
+      relax_on_surface<ConcurrencyTag>(samples, fit, parameters.number_of_iterations,
+                                       parameters.repulsion_weight, progress.part(0.6, 0.85));
   report.relaxation_time = stopwatch.lap();
 
   const Progress final_progress = progress.part(0.85, 0.97);
