@@ -168,10 +168,13 @@ TEST(Fit, of_a_local_surface_ignores_an_outlier)
   const Neighbor_search search(points, Tag());
   const Surface_fit fit{search, points.size(), 0., 0.};
   Neighborhood neighborhood;
-  const Local_surface surface =
-      fit_local_surface(fit, Point(0., 0., 0.02), CGAL::NULL_VECTOR, 0, neighborhood);
-  EXPECT_LT(std::abs(surface.origin.z()), 1e-3);
-  EXPECT_GT(std::abs(surface.n.z()), 0.999);
+  for (int rounds : {rounds_to_move, rounds_to_stay})
+  {
+    const Local_surface surface =
+        fit_local_surface(fit, Point(0., 0., 0.02), CGAL::NULL_VECTOR, 0, rounds, neighborhood);
+    EXPECT_LT(std::abs(surface.origin.z()), 1e-3) << rounds;
+    EXPECT_GT(std::abs(surface.n.z()), 0.999) << rounds;
+  }
 }
 
 TEST(Fit, of_a_local_surface_separates_two_sheets)
@@ -187,7 +190,7 @@ TEST(Fit, of_a_local_surface_separates_two_sheets)
   for (std::size_t i = 0; i < points.size(); i += 97)
   {
     const Local_surface surface =
-        fit_local_surface(fit, points[i], CGAL::NULL_VECTOR, 0, neighborhood);
+        fit_local_surface(fit, points[i], CGAL::NULL_VECTOR, 0, rounds_to_stay, neighborhood);
     EXPECT_NEAR(surface.origin.z(), i < 4000 ? 0. : gap, 1e-3) << i;
   }
 }
@@ -231,7 +234,7 @@ TEST(Sample_neighbors, agree_with_brute_force)
         if (j != i)
           expected.emplace_back(CGAL::squared_distance(points[i], points[j]), j);
       std::sort(expected.begin(), expected.end());
-      expected.resize(std::min<std::size_t>(expected.size(), 24));
+      expected.resize(std::min<std::size_t>(expected.size(), Sample_neighbors::most));
       std::vector<std::size_t> indices;
       for (const auto& neighbor : expected)
         indices.push_back(neighbor.second);
@@ -294,7 +297,7 @@ TEST(Relaxation, evens_out_faster_with_momentum)
       {
         samples.emplace_back();
         samples.back().spacing = lattice_spacing(400.);
-        samples.back().place(fit, p, CGAL::NULL_VECTOR);
+        samples.back().place(fit, p, CGAL::NULL_VECTOR, rounds_to_move);
       }
     relax_on_surface<Tag>(samples, fit, iterations, 0.45, Progress(no_callback));
     return std::count_if(samples.begin(), samples.end(),
@@ -315,8 +318,8 @@ TEST(Border, of_a_half_plane_and_of_none)
   for (int i = 1; i < 100; ++i)
   {
     const double t = 0.01 * i;
-    const Local_surface at_border =
-        fit_local_surface(fit, Point(0.001, t, 0.), CGAL::NULL_VECTOR, 0, neighborhood);
+    const Local_surface at_border = fit_local_surface(fit, Point(0.001, t, 0.), CGAL::NULL_VECTOR,
+                                                      0, rounds_to_stay, neighborhood);
     const Surface_border border = find_border(neighborhood, at_border);
     found_at_border += border.exists ? 1 : 0;
     if (border.exists)
@@ -333,8 +336,8 @@ TEST(Border, of_a_half_plane_and_of_none)
       EXPECT_EQ(c, -0.01 * border.x);
     }
 
-    const Local_surface inside =
-        fit_local_surface(fit, Point(0.5, 0.1 + 0.8 * t, 0.), CGAL::NULL_VECTOR, 0, neighborhood);
+    const Local_surface inside = fit_local_surface(
+        fit, Point(0.5, 0.1 + 0.8 * t, 0.), CGAL::NULL_VECTOR, 0, rounds_to_stay, neighborhood);
     found_inside += find_border(neighborhood, inside).exists ? 1 : 0;
   }
   EXPECT_GT(found_at_border, 80);

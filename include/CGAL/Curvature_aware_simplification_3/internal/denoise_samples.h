@@ -38,13 +38,13 @@ inline Fits_of_all_sizes fits_of_all_sizes(const Surface_fit& fit, const Surface
 {
   static thread_local Neighborhood neighborhood;
   Local_surface surface =
-      fit_local_surface(fit, x.point, x.normal, x.surface.neighbors, neighborhood);
+      fit_local_surface(fit, x.point, x.normal, x.surface.neighbors, rounds_to_stay, neighborhood);
   if (fit.settings.keep_borders && surface.radius > 0.)
   {
     double a = 0., b = 0.;
     if (find_border(neighborhood, surface).restrict(a, b))
       surface = fit_local_surface(fit, surface.point(a, b), surface.normal(a, b), surface.neighbors,
-                                  neighborhood);
+                                  rounds_to_stay, neighborhood);
   }
   Fits_of_all_sizes fits{surface.origin, {}};
   if (!(surface.radius > 0.))

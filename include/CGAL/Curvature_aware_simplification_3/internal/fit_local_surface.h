@@ -128,12 +128,18 @@ inline bool is_noisy(const Surface_fit& fit, const Neighborhood& neighborhood)
   return neighborhood.radius <= 2. * smallest_radius_in_noise * fit.noise;
 }
 
+// Rounds of reweighting: for a surface that a sample only moves on, the first leaves out outliers and
+// other sheets well enough; for the place where it stays, a second one sees them in the light of the first.
+constexpr int rounds_to_move = 1;
+constexpr int rounds_to_stay = 2;
+
 // The narrowest surface that can be trusted, around the foot point of x: a quadric by iteratively
 // reweighted least squares. `normal` is a guess, or the null vector where there is none, and
 // `expected_neighbors` how many neighbors may be needed, or 0. The neighbors are left in
 // `neighborhood`.
 inline Local_surface fit_local_surface(const Surface_fit& fit, const Point& x, const Vector& normal,
-                                       std::size_t expected_neighbors, Neighborhood& neighborhood)
+                                       std::size_t expected_neighbors, int rounds,
+                                       Neighborhood& neighborhood)
 {
   const bool has_guess = normal != NULL_VECTOR;
 
@@ -175,7 +181,7 @@ inline Local_surface fit_local_surface(const Surface_fit& fit, const Point& x, c
     fitted.radius = neighborhood.radius;
     fitted.neighbors = expected_neighbors = neighborhood.size();
     bool success = fit_plane(neighborhood, fitted);
-    for (int round = 0; round < 2 && success; ++round)
+    for (int round = 0; round < rounds && success; ++round)
     {
       fitted.spread = (std::max)(residual_spread(neighborhood, fitted), fit.noise);
       if (!(fitted.spread > 0.))
@@ -188,11 +194,8 @@ inline Local_surface fit_local_surface(const Surface_fit& fit, const Point& x, c
     if (!success)
       return surface;
     const double distance = std::abs(fitted.c[0]);
-    // sigma / 2, which in the narrowest balls for the noise is 1/14 of the radius: the first fit of a
-    // sample, which will move, can do with that part of any ball
-    const double tolerance =
-        0.5 * (has_guess ? fit.noise
-                         : (std::max)(fit.noise, neighborhood.radius / smallest_radius_in_noise));
+    // sigma / 2 in the narrowest balls for the noise: 1/14 of the radius. That part does for any ball.
+    const double tolerance = 0.5 * neighborhood.radius / smallest_radius_in_noise;
     fitted.move_to_foot_point();
     if (!(distance > tolerance && moves < fit.settings.moves_to_foot_point))
       return fitted;

@@ -40,11 +40,11 @@ struct Surface_sample
     normal = surface.normal(a, b);
   }
 
-  // fits the surface around x, and puts the sample on it
-  void place(const Surface_fit& fit, const Point& x, const Vector& guess)
+  // fits the surface around x in so many rounds, and puts the sample on it
+  void place(const Surface_fit& fit, const Point& x, const Vector& guess, int rounds)
   {
     static thread_local Neighborhood neighborhood;
-    surface = fit_local_surface(fit, x, guess, surface.neighbors, neighborhood);
+    surface = fit_local_surface(fit, x, guess, surface.neighbors, rounds, neighborhood);
     border = fit.settings.keep_borders ? find_border(neighborhood, surface) : Surface_border();
     double at_a = 0., at_b = 0.;
     border.restrict(at_a, at_b);
@@ -109,7 +109,8 @@ inline void move_on_surface(Surface_sample& x, Vector step, const Surface_fit& f
   }
   // beyond the fit, it is followed for half its radius at most
   const double part = (std::min)(1., 1.5 * x.surface.radius / distance);
-  x.place(fit, x.surface.point(part * a, part * b), x.surface.normal(part * a, part * b));
+  x.place(fit, x.surface.point(part * a, part * b), x.surface.normal(part * a, part * b),
+          rounds_to_move);
 }
 
 // Iterations of eq. 8 until the samples rest, at most `number_of_iterations`. Returns the neighbors
@@ -119,9 +120,9 @@ Sample_neighbors relax_on_surface(std::vector<Surface_sample>& samples, const Su
                                   std::size_t number_of_iterations, double repulsion_weight,
                                   const Progress& progress)
 {
-  // Means over all samples of how far they move, in spacings. Half of the samples move less than the
-  // mean, one in a hundred more than 4 times as far: of those, a pair may come as close as 1.6 spacings
-  // unseen, where theta is 0.002.
+  // Means over all samples of how far they move, in spacings. Two samples that move as far as the mean
+  // come from 2.1 spacings to 1.6 unseen, where theta is 0.002; of one that moves 4 times as far, one in
+  // a hundred, another may be as near as 1.1.
   constexpr double far_enough_to_search = 0.25;
   // below which the distribution does not change any more: 1 % of what the first iteration moves
   constexpr double at_rest = 0.001;

@@ -129,8 +129,9 @@ Distinct_samples simplify_adaptively(Cloud cloud, std::unique_ptr<Neighbor_searc
   report.selection_time = stopwatch.lap();
 
   for_each_index<ConcurrencyTag>(samples.size(), progress.part(0.5, 0.6),
-                                 [&](std::size_t i)
-                                 { samples[i].place(fit, points[selected[i]], NULL_VECTOR); });
+                                 [&](std::size_t i) {
+    samples[i].place(fit, points[selected[i]], NULL_VECTOR, rounds_to_move);
+  });
   const Sample_neighbors neighbors =
       relax_on_surface<ConcurrencyTag>(samples, fit, parameters.number_of_iterations,
                                        parameters.repulsion_weight, progress.part(0.6, 0.85));
@@ -141,8 +142,9 @@ Distinct_samples simplify_adaptively(Cloud cloud, std::unique_ptr<Neighbor_searc
     denoise_samples<ConcurrencyTag>(samples, fit, final_progress);
   else
     for_each_index<ConcurrencyTag>(samples.size(), final_progress,
-                                   [&](std::size_t i)
-                                   { samples[i].place(fit, samples[i].point, samples[i].normal); });
+                                   [&](std::size_t i) {
+      samples[i].place(fit, samples[i].point, samples[i].normal, rounds_to_stay);
+    });
   if (settings.move_to_edges)
   {
     const std::vector<Point> bent =
