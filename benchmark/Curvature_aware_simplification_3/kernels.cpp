@@ -141,7 +141,7 @@ void sampling_density(benchmark::State& state)
           {
     benchmark::DoNotOptimize(
         CGAL::Curvature_aware_simplification_3::internal::sampling_density<Tag>(
-            s.cloud.points, s.search, s.features.inverse_density, s.samples.size(), 2. / 3., 0.,
+            s.cloud.points, s.features.inverse_density, s.samples.size(), 2. / 3., 0.,
             s.cloud.coordinate_error, Adaptive_settings(), Progress(no_callback)));
   });
 }

@@ -16,7 +16,11 @@
 #include <CGAL/Curvature_aware_simplification_3/internal/select_along_curve.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/shared_features.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/smooth_points.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/surface_pieces.h>
 #include <CGAL/curvature_aware_simplify_point_set.h>
+
+#include <Eigen/Core>
+#include <Eigen/Eigenvalues>
 
 #include <gtest/gtest.h>
 
@@ -661,7 +665,7 @@ Sampling_density density_of(const Cloud& cloud, std::size_t n, double alpha, dou
   const Neighbor_search search(cloud.points, Tag());
   const Features features = compute_features<Tag, CGAL::Default_diagonalize_traits<double, 3>>(
       cloud, search, 16, Progress(no_callback));
-  return sampling_density<Tag>(cloud.points, search, features.inverse_density, n, alpha,
+  return sampling_density<Tag>(cloud.points, features.inverse_density, n, alpha,
                                cloud.frame.length_to_frame(noise), cloud.coordinate_error,
                                Adaptive_settings(), Progress(no_callback));
 }
@@ -730,6 +734,64 @@ TEST(Sampling_density, follows_the_curvature)
 }
 
 // Otherwise the density follows the rounding errors of the heights, which are larger far from the origin.
+TEST(Surface_pieces, know_the_covariance_of_all_their_points)
+{
+  const std::vector<Point> points = surfaces::ellipsoid(1000, 3., 95);
+  std::vector<double> inverse_density(points.size());
+  for (std::size_t i = 0; i < points.size(); ++i)
+    inverse_density[i] = 0.01 * static_cast<double>(i % 7);
+  for (std::size_t number : {1u, 37u, 1000u})
+  {
+    const Surface_pieces pieces = surface_pieces<Tag>(points, inverse_density, number);
+    const Neighbor_search search(pieces.center, Tag());
+    const Point x(0.1, 0.2, 0.3);
+    const Deviation found = deviation_from_plane(pieces, search, x, number, 0.);
+
+    Eigen::Vector3d mean = Eigen::Vector3d::Zero();
+    for (const Point& p : points)
+      mean += eigen_vector(p - x) / 1000.;
+    Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
+    for (const Point& p : points)
+      covariance += (eigen_vector(p - x) - mean) * (eigen_vector(p - x) - mean).transpose() / 1000.;
+    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(covariance);
+    EXPECT_NEAR(found.squared_height / solver.eigenvalues()(0), 1., 1e-12) << number;
+    EXPECT_NEAR(found.trace / covariance.trace(), 1., 1e-12) << number;
+    EXPECT_NEAR(found.squared_offset / mean.squaredNorm(), 1., 1e-10) << number;
+    EXPECT_DOUBLE_EQ(found.number, 1000.);
+    EXPECT_NEAR(found.area, CGAL_PI * 0.01 * (142. * 21. + 15.), 1e-9)
+        << number; // 0 to 6, and 0 to 5
+  }
+}
+
+TEST(Sampling_density, counts_borders_twice)
+{
+  const Cloud cloud = make_cloud<Tag>(surfaces::square(100000, 96), 1e-16);
+  const Sampling_density wanted = density_of(cloud, 1000, 2. / 3., 0.);
+  const double spacing = std::sqrt(2. / std::sqrt(3.) / 1000.);
+  double border = 0., inside = 0., border_count = 0., inside_count = 0.;
+  for (std::size_t i = 0; i < cloud.size(); ++i)
+  {
+    const Point p = cloud.frame.from_frame(cloud.points[i]);
+    const double along = std::min(p.y(), 1. - p.y());
+    const double distance = std::min(p.x(), 1. - p.x());
+    if (along < 2. * spacing)
+      continue;
+    if (distance < 0.1 * spacing)
+    {
+      border += wanted.weight[i];
+      border_count += 1.;
+    }
+    if (distance > 2. * spacing)
+    {
+      inside += wanted.weight[i];
+      inside_count += 1.;
+    }
+  }
+  // less than 2, since whole ranges of the curve have one weight
+  EXPECT_GT(border / border_count / (inside / inside_count), 1.3);
+  EXPECT_LT(border / border_count / (inside / inside_count), 2.);
+}
+
 TEST(Sampling_density, of_planes_and_lines_is_even)
 {
   const auto largest_over_smallest = [](const std::vector<Point>& points)

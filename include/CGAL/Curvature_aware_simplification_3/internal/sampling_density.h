@@ -9,19 +9,15 @@
 #include <CGAL/Curvature_aware_simplification_3/internal/Adaptive_settings.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Neighbor_search.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Progress.h>
-#include <CGAL/Curvature_aware_simplification_3/internal/features.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/loops.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/surface_pieces.h>
 
 #include <CGAL/number_type_config.h>
-
-#include <Eigen/Core>
-#include <Eigen/Eigenvalues>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <functional>
-#include <memory>
 #include <vector>
 
 namespace CGAL {
@@ -32,8 +28,8 @@ namespace internal {
 struct Sampling_density
 {
   std::vector<double> density; // their integral over the surface is N
-  std::vector<double> weight;  // density times the area of the surface that the point stands for,
-                               // an estimate: their sum is about N
+  std::vector<double> weight;  // density times the area of the surface that the point stands for;
+                               // more on borders
 };
 
 // The spacing of a hexagonal lattice with a density of points: s^2 = 2 / (sqrt(3) density)
@@ -51,38 +47,6 @@ double area_of_surface(const std::vector<double>& inverse_density)
       std::plus<double>());
 }
 
-// lambda_0 of the k nearest points, the squared height over their plane, and their squared radius
-struct Deviation
-{
-  double squared_height;
-  double squared_radius;
-};
-
-// A height below the rounding error of the coordinates, `coordinate_error`, is 0: a plane has no
-// curvature. So the solver is the iterative one; the closed formula is off by the root of the
-// precision for points on a line.
-inline Deviation deviation_from_plane(const Neighbor_search& search, const Point& x, std::size_t k,
-                                      double coordinate_error)
-{
-  Eigen::Vector3d mean = Eigen::Vector3d::Zero();
-  Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
-  double squared_radius = 0.;
-  search.for_each_nearest(x, k,
-                          [&](std::size_t, const Point& p, double squared_distance)
-                          {
-    const Eigen::Vector3d q(p.x() - x.x(), p.y() - x.y(), p.z() - x.z());
-    mean += q;
-    covariance += q * q.transpose();
-    squared_radius = (std::max)(squared_radius, squared_distance);
-  });
-  mean /= static_cast<double>(k);
-  covariance = covariance / static_cast<double>(k) - mean * mean.transpose();
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(covariance, Eigen::EigenvaluesOnly);
-  const double squared_height = solver.eigenvalues()(0);
-  const double rounding_error = rounding_error_of_eigenvalue(covariance.trace(), coordinate_error);
-  return {squared_height > rounding_error ? squared_height : 0., squared_radius};
-}
-
 // The density for which a piecewise linear surface through the samples has the least error.
 //
 // With n samples per area, such a surface is off by about c / n where the surface has curvature c.
@@ -94,16 +58,16 @@ inline Deviation deviation_from_plane(const Neighbor_search& search, const Point
 // with a radius R of 1.5 spacings: the curvature is sqrt(lambda_0) / R^2 up to a constant. From
 // lambda_0, sigma^2 is taken off for the noise. Balls are no smaller than 3 sigma.
 template <typename ConcurrencyTag>
-Sampling_density sampling_density(const std::vector<Point>& points, const Neighbor_search& search,
-                                  const std::vector<double>& inverse_density,
-                                  std::size_t number_of_samples, double alpha, double noise,
-                                  double coordinate_error, const Adaptive_settings& settings,
-                                  const Progress& progress)
+Sampling_density
+sampling_density(const std::vector<Point>& points, const std::vector<double>& inverse_density,
+                 std::size_t number_of_samples, double alpha, double noise, double coordinate_error,
+                 const Adaptive_settings& settings, const Progress& progress)
 {
   // Not more than one sample for two input points, unless that many are asked for
   constexpr double densest = 0.5;
-  // so many points tell lambda_0; where balls hold more, a part of the points is enough
-  constexpr double enough = 24.;
+  // Pieces are small against the balls, about 16 in each; where the input is sparse or dense, balls hold
+  // no fewer and no more than so many, and no fewer points.
+  constexpr double fewest_pieces = 4., most_pieces = 64., fewest_points = 17.;
 
   const std::size_t n = points.size();
   const double number = static_cast<double>(number_of_samples);
@@ -111,48 +75,42 @@ Sampling_density sampling_density(const std::vector<Point>& points, const Neighb
   const double spacing = lattice_spacing(number / total_area);
   const double radius = (std::max)(settings.curvature_radius * spacing, 3. * noise);
 
-  const double mean_points_in_ball =
-      CGAL_PI * radius * radius * static_cast<double>(n) / total_area;
-  const std::size_t step =
-      static_cast<std::size_t>((std::min)((std::max)(mean_points_in_ball / enough, 1.),
-                                          (std::max)(static_cast<double>(n) / enough, 1.)));
-  std::vector<Point> thinned;
-  std::unique_ptr<Neighbor_search> own_search;
-  if (step > 1)
-  {
-    for (std::size_t i = step / 2; i < n; i += step)
-      thinned.push_back(points[i]);
-    own_search.reset(new Neighbor_search(thinned, ConcurrencyTag()));
-  }
-  const Neighbor_search& thinned_search = own_search ? *own_search : search;
-  const std::size_t number_of_thinned = own_search ? thinned.size() : n;
-
-  // Ranges of the Hilbert curve, about one for each sample, represented by the point in its middle
+  // Ranges of the Hilbert curve, about one for each sample, represented by the point in its middle. Each
+  // is two pieces, if there are points enough.
   const std::size_t ranges = (std::min)(n, number_of_samples);
+  const std::size_t pieces_in_range = n / ranges < 4 ? 1 : 2;
   const auto begin = [&](std::size_t i) { return i * n / ranges; };
+  const Surface_pieces pieces =
+      surface_pieces<ConcurrencyTag>(points, inverse_density, pieces_in_range * ranges);
+  const Neighbor_search piece_search(pieces.center, ConcurrencyTag());
+
   std::vector<double> curvature(ranges), area(ranges), range_area(ranges), range_density(ranges);
   for_each_index<ConcurrencyTag>(ranges, progress,
                                  [&](std::size_t i)
                                  {
-    for (std::size_t j = begin(i); j < begin(i + 1); ++j)
-      range_area[i] += CGAL_PI * inverse_density[j];
-    const double size = static_cast<double>(begin(i + 1) - begin(i));
-    const double points_in_ball =
-        CGAL_PI * radius * radius * size / (range_area[i] * static_cast<double>(step));
-    const std::size_t k = (std::min)(
-        number_of_thinned,
-        static_cast<std::size_t>((std::min)(4. * enough, (std::max)(16., points_in_ball))) + 1);
+    for (std::size_t piece = pieces_in_range * i; piece < pieces_in_range * (i + 1); ++piece)
+      range_area[i] += pieces.area[piece];
+    const double pieces_per_area = static_cast<double>(pieces_in_range) / range_area[i];
+    const double points_in_piece =
+        static_cast<double>(begin(i + 1) - begin(i)) / static_cast<double>(pieces_in_range);
+    const double wanted = (std::max)({CGAL_PI * radius * radius * pieces_per_area, fewest_pieces,
+                                      fewest_points / points_in_piece});
+    const std::size_t k =
+        (std::min)(static_cast<std::size_t>((std::min)(wanted, most_pieces)), pieces.center.size());
     const Deviation deviation = deviation_from_plane(
-        thinned_search, points[(begin(i) + begin(i + 1)) / 2], k, coordinate_error);
-    // beyond the noise, and two standard deviations of what k points say of it, so that noise alone is
+        pieces, piece_search, points[(begin(i) + begin(i + 1)) / 2], k, coordinate_error);
+    // beyond the noise, and two standard deviations of what the points say of it, so that noise alone is
     // taken for flat
-    const double signal = deviation.squared_height -
-                          noise * noise * (1. + 2. * std::sqrt(2. / static_cast<double>(k)));
-    curvature[i] = deviation.squared_radius > 0.
-                       ? std::sqrt((std::max)(signal, 0.)) / deviation.squared_radius
-                       : 0.;
-    area[i] = CGAL_PI * deviation.squared_radius /
-              (std::max)((static_cast<double>(k) - 1.) * static_cast<double>(step), 1.);
+    const double signal =
+        deviation.squared_height - noise * noise * (1. + 2. * std::sqrt(2. / deviation.number));
+    // sqrt(lambda_0) / r^2 up to a constant
+    curvature[i] = deviation.trace > 0. ? std::sqrt((std::max)(signal, 0.)) / deviation.trace : 0.;
+    // On a border, samples stand for half a cell: the area counts twice, as that of the ball does, on
+    // one side of which there are no points. The mean of half a disk is 4 r / 3 pi off its center.
+    const double one_sided = deviation.trace > 0. ? (9. * CGAL_PI * CGAL_PI / 32. - 1.) *
+                                                        deviation.squared_offset / deviation.trace
+                                                  : 0.;
+    area[i] = (1. + one_sided) * deviation.area / deviation.number;
   });
 
   // bounded from below by a part of the mean of order alpha, which few large values do not decide

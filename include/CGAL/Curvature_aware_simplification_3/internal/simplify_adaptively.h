@@ -116,8 +116,8 @@ Distinct_samples simplify_adaptively(Cloud cloud, std::unique_ptr<Neighbor_searc
   std::vector<std::size_t> selected;
   {
     Sampling_density wanted = sampling_density<ConcurrencyTag>(
-        points, *search, features.inverse_density, number_of_samples, parameters.adaptivity,
-        left.noise, cloud.coordinate_error, settings, progress.part(0.4, 0.5));
+        points, features.inverse_density, number_of_samples, parameters.adaptivity, left.noise,
+        cloud.coordinate_error, settings, progress.part(0.4, 0.5));
     features = Features();
     selected = select_along_curve<ConcurrencyTag>(std::move(wanted.weight), number_of_samples,
                                                   parameters.random_seed);
