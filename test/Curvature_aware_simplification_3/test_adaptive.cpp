@@ -199,6 +199,29 @@ TEST(Fit, of_a_local_surface_separates_two_sheets)
   }
 }
 
+TEST(Fit, that_leaves_its_ball_is_none)
+{
+  // all neighbors on one side, on a parabola that is 5.6 high over the center
+  Neighborhood neighborhood;
+  CGAL::Random random(97);
+  for (int i = 0; i < 20; ++i)
+  {
+    const double x = random.uniform_real(0.5, 1.), y = random.uniform_real(-0.3, 0.3);
+    const Vector position(x, y, 10. * (x - 0.75) * (x - 0.75));
+    neighborhood.neighbors.push_back({position, position.squared_length(), 1.});
+  }
+  neighborhood.radius = 1.2;
+  Local_surface surface;
+  const std::vector<Point> points = {Point(0., 0., 0.)};
+  const Neighbor_search search(points, Tag());
+  const Surface_fit fit{search, points.size(), 0., 0.};
+  EXPECT_TRUE(fit_quadric(neighborhood, 0., surface));
+  EXPECT_GT(surface.c[0], 2. * neighborhood.radius);
+  Local_surface unchanged;
+  EXPECT_FALSE(fit_quadric(fit, neighborhood, unchanged));
+  EXPECT_EQ(unchanged.c[0], 0.);
+}
+
 TEST(Neighborhood, in_a_ball_agrees_with_brute_force)
 {
   const std::vector<Point> points = patch(500, 11, [](double x, double y) { return x * y; });
@@ -1192,6 +1215,37 @@ TEST(Adaptive, spreads_evenly_whatever_the_density_of_the_input)
                             { largest_gap = std::max(largest_gap, std::sqrt(squared_distance)); });
   // the spacing of a hexagonal lattice, whose gaps are 0.58 of it
   EXPECT_LT(largest_gap, 1.3 * std::sqrt(4. * CGAL_PI / 2000. * 2. / std::sqrt(3.)));
+}
+
+TEST(Adaptive, leaves_no_sample_far_from_a_sparse_comb)
+{
+  // Plates and walls, 1/20 apart, sampled ten times as densely on one end as on the other, where the
+  // neighbors of a point are on three of them
+  for (unsigned int seed = 1; seed <= 30; ++seed)
+  {
+    CGAL::Random random(seed);
+    std::vector<Point> points;
+    while (points.size() < 10000)
+    {
+      const double x = random.uniform_real(0., 1.), y = random.uniform_real(0., 1.);
+      const int i = random.get_int(0, 20);
+      if (random.uniform_real(0., 1.) > std::pow(10., -x))
+        continue;
+      if (random.uniform_real(0., 1.) < 0.5)
+        points.emplace_back(x, 0.3 * y, 0.05 * i);
+      else
+        points.emplace_back(x, i % 2 == 0 ? 0. : 0.3, 0.05 * (i + y));
+    }
+    CGAL::Curvature_aware_simplification_report report;
+    const std::vector<Point> output = simplified(
+        points, np::number_of_output_points(1000).simplification_report(std::ref(report)));
+    const Neighbor_search search(points, Tag());
+    for (const Point& p : output)
+      search.for_each_nearest(p, 1,
+                              [&](std::size_t, const Point&, double squared_distance) {
+        EXPECT_LT(std::sqrt(squared_distance), 2. * report.output_spacing) << seed;
+      });
+  }
 }
 
 TEST(Adaptive, keeps_the_border_of_a_square)

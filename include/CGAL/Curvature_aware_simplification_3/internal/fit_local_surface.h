@@ -112,12 +112,18 @@ inline double error_of_fit(const Surface_fit& fit, double error)
   return error / std::sqrt(std::sqrt(1. + ratio * ratio * ratio * ratio));
 }
 
-// The quadric as in fit_quadric.h, with the error for points that may share their noise
+// The quadric as in fit_quadric.h, with the error for points that may share their noise. It fails as well
+// where it passes far from the ball: few neighbors on one side had all the weight, and nothing is known
+// of the center. Twice the radius is not far: so high is a plane in the ball over a center on its border if
+// the guessed normal is off by 60 degrees.
 inline bool fit_quadric(const Surface_fit& fit, const Neighborhood& neighborhood,
                         Local_surface& surface)
 {
-  if (!fit_quadric(neighborhood, fit.independent_noise, surface))
+  Local_surface fitted = surface;
+  if (!fit_quadric(neighborhood, fit.independent_noise, fitted) ||
+      std::abs(fitted.c[0]) > 2. * neighborhood.radius)
     return false;
+  surface = fitted;
   surface.error = error_of_fit(fit, surface.error);
   return true;
 }
@@ -180,8 +186,9 @@ inline Local_surface fit_local_surface(const Surface_fit& fit, const Point& x, c
     Local_surface fitted = surface;
     fitted.radius = neighborhood.radius;
     fitted.neighbors = expected_neighbors = neighborhood.size();
-    bool success = fit_plane(neighborhood, fitted);
-    for (int round = 0; round < rounds && success; ++round)
+    if (!fit_plane(neighborhood, fitted))
+      return surface;
+    for (int round = 0; round < rounds; ++round)
     {
       fitted.spread = (std::max)(residual_spread(neighborhood, fitted), fit.noise);
       if (!(fitted.spread > 0.))
@@ -189,10 +196,9 @@ inline Local_surface fit_local_surface(const Surface_fit& fit, const Point& x, c
       weight_by_distance();
       for (Neighborhood::Neighbor& neighbor : neighborhood.neighbors)
         neighbor.weight *= robust_weight(fitted.residual(neighbor.position), fitted.spread);
-      success = fit_quadric(fit, neighborhood, fitted);
+      if (!fit_quadric(fit, neighborhood, fitted))
+        break; // what was fitted before is the best there is
     }
-    if (!success)
-      return surface;
     const double distance = std::abs(fitted.c[0]);
     // sigma / 2 in the narrowest balls for the noise: 1/14 of the radius. That part does for any ball.
     const double tolerance = 0.5 * neighborhood.radius / smallest_radius_in_noise;
