@@ -157,7 +157,7 @@ void projection(benchmark::State& state)
                         [&](std::size_t i)
                         {
       s.surface_samples[i].spacing = s.radius / radius_in_spacings;
-      s.surface_samples[i].place(s.fit, s.samples[i], CGAL::NULL_VECTOR);
+      s.surface_samples[i].place(s.fit, s.samples[i], CGAL::NULL_VECTOR, rounds_to_stay);
     });
   });
 }
