@@ -756,7 +756,6 @@ TEST(Sampling_density, follows_the_curvature)
   EXPECT_LT(ratio(2. / 3.), 1.1 * expected);
 }
 
-// Otherwise the density follows the rounding errors of the heights, which are larger far from the origin.
 TEST(Surface_pieces, know_the_covariance_of_all_their_points)
 {
   const std::vector<Point> points = surfaces::ellipsoid(1000, 3., 95);
@@ -815,6 +814,7 @@ TEST(Sampling_density, counts_borders_twice)
   EXPECT_LT(border / border_count / (inside / inside_count), 2.);
 }
 
+// Otherwise the density follows the rounding errors of the heights, which are larger far from the origin.
 TEST(Sampling_density, of_planes_and_lines_is_even)
 {
   const auto largest_over_smallest = [](const std::vector<Point>& points)

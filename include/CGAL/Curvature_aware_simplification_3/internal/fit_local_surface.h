@@ -140,9 +140,9 @@ constexpr int rounds_to_move = 1;
 constexpr int rounds_to_stay = 2;
 
 // The narrowest surface that can be trusted, around the foot point of x: a quadric by iteratively
-// reweighted least squares. `normal` is a guess, or the null vector where there is none, and
-// `expected_neighbors` how many neighbors may be needed, or 0. The neighbors are left in
-// `neighborhood`.
+// reweighted least squares, with `rounds` of reweighting as above. `normal` is a guess, or the null
+// vector where there is none, and `expected_neighbors` how many neighbors may be needed, or 0. The
+// neighbors are left in `neighborhood`.
 inline Local_surface fit_local_surface(const Surface_fit& fit, const Point& x, const Vector& normal,
                                        std::size_t expected_neighbors, int rounds,
                                        Neighborhood& neighborhood)

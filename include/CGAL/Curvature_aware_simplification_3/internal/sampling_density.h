@@ -65,8 +65,10 @@ sampling_density(const std::vector<Point>& points, const std::vector<double>& in
 {
   // Not more than one sample for two input points, unless that many are asked for
   constexpr double densest = 0.5;
-  // Pieces are small against the balls, about 16 in each; where the input is sparse or dense, balls hold
-  // no fewer and no more than so many, and no fewer points.
+  // Pieces are small against the balls, about 16 in each. Where the input is sparse, balls hold no fewer
+  // than 4, which is one piece to each side, and no fewer points than about 17, so that the height over
+  // their plane is more than chance; where it is dense, no more than 64, which say as much as all. With
+  // half or twice as many pieces or points, the mean error of what is made of it is the same to 1 %.
   constexpr double fewest_pieces = 4., most_pieces = 64., fewest_points = 17.;
 
   const std::size_t n = points.size();
@@ -76,7 +78,7 @@ sampling_density(const std::vector<Point>& points, const std::vector<double>& in
   const double radius = (std::max)(settings.curvature_radius * spacing, 3. * noise);
 
   // Ranges of the Hilbert curve, about one for each sample, represented by the point in its middle. Each
-  // is two pieces, if there are points enough.
+  // is two pieces, unless these would be of fewer than two points, which saves nothing.
   const std::size_t ranges = (std::min)(n, number_of_samples);
   const std::size_t pieces_in_range = n / ranges < 4 ? 1 : 2;
   const auto begin = [&](std::size_t i) { return i * n / ranges; };

@@ -22,8 +22,8 @@ namespace CGAL {
 namespace Curvature_aware_simplification_3 {
 namespace internal {
 
-// The points in pieces of the Hilbert curve, and what there is to know of each piece for the covariance
-// of a ball: that of a hundred points takes no more than that of a few pieces.
+// The points in pieces of the Hilbert curve. Of each piece, enough is kept to compute the covariance of
+// the points in a ball from a few pieces instead of hundreds of points.
 struct Surface_pieces
 {
   std::vector<Point> center;            // the mean of the points
@@ -75,7 +75,7 @@ Surface_pieces surface_pieces(const std::vector<Point>& points,
   return pieces;
 }
 
-// The points of some pieces around a place
+// How the points of some pieces around a place lie about their common plane
 struct Deviation
 {
   double squared_height; // over their plane: lambda_0 of the covariance
