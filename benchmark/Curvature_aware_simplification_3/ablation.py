@@ -18,6 +18,7 @@ IDEAS = [
     ("heights count once in the repulsion", "weight_of_height=1"),
     ("few and far neighbors push as many near ones do", "least_weight_of_neighbors=0"),
     ("samples without momentum", "momentum=0"),
+    ("first steps no longer than the last", "length_of_first_steps=1"),
     ("samples may cross borders", "keep_borders=0"),
     ("outliers not looked for", "find_outliers=0"),
     ("noise not measured", "measure_noise=0"),

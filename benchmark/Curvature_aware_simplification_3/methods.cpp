@@ -221,6 +221,7 @@ Setting with_parameters(const std::string& parameters)
   set("smooth_points", settings.smooth_points);
   set("weight_of_height", settings.weight_of_height);
   set("momentum", settings.momentum);
+  set("length_of_first_steps", settings.length_of_first_steps);
   set("least_weight_of_neighbors", settings.least_weight_of_neighbors);
   set("keep_borders", settings.keep_borders);
   set("moves_to_foot_point", settings.moves_to_foot_point);

@@ -134,6 +134,8 @@ input then, so that a permutation of the input gives another selection.
     \cgalParamDescription{the factor \f$\mu\f$ of the repulsion}
     \cgalParamType{floating scalar value, at least 0 and below 0.5}
     \cgalParamDefault{`0.45`}
+    \cgalParamExtra{The first iteration takes twice this factor, which shrinks evenly until the tenth, or
+                    the last if there are fewer; with the settings of the paper, it is always the same.}
   \cgalParamNEnd
 
   \cgalParamNBegin{number_of_neighbors}

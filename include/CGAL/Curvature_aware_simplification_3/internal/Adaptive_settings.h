@@ -41,6 +41,10 @@ struct Adaptive_settings
   // Part of its last move that a sample makes again: what evens out slowly does so 1 / (1 - 0.4) = 1.7
   // times as fast. With 0.7, samples overshoot and the gain is lost.
   double momentum = 0.4;
+  // The first steps of the relaxation are so many times as long as later ones, and what is between
+  // shrinks evenly: long steps carry samples to where they are wanted, short ones let them settle. With
+  // 1.5, half of what that gains is lost; with steps that stay long, samples never settle.
+  double length_of_first_steps = 2.;
   // Samples are not pushed across a border.
   bool keep_borders = true;
 

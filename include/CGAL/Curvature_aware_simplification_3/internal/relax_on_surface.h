@@ -113,6 +113,17 @@ inline void move_on_surface(Surface_sample& x, Vector step, const Surface_fit& f
           rounds_to_move);
 }
 
+// How many times as long as the repulsion weight says the steps of an iteration are: `first` in the first
+// one, which shrinks evenly to 1 in the tenth, or in the last if there are fewer. Further iterations
+// then only carry on.
+inline double length_of_steps(double first, std::size_t iteration, std::size_t number_of_iterations)
+{
+  const std::size_t last = (std::min)(number_of_iterations, std::size_t(10)) - 1;
+  return iteration < last
+             ? 1. + (first - 1.) * static_cast<double>(last - iteration) / static_cast<double>(last)
+             : 1.;
+}
+
 // Iterations of eq. 8 until the samples rest, at most `number_of_iterations`. Returns the neighbors
 // that they ended with.
 template <typename ConcurrencyTag>
@@ -148,6 +159,8 @@ Sample_neighbors relax_on_surface(std::vector<Surface_sample>& samples, const Su
       moved_since_search = 0.;
     }
     const double iterations = static_cast<double>(number_of_iterations);
+    const double weight = repulsion_weight * length_of_steps(fit.settings.length_of_first_steps,
+                                                             iteration, number_of_iterations);
     const Progress iteration_progress =
         progress.part(static_cast<double>(iteration) / iterations,
                       static_cast<double>(iteration + 1) / iterations);
@@ -158,9 +171,9 @@ Sample_neighbors relax_on_surface(std::vector<Surface_sample>& samples, const Su
       // Repulsion alone evens out the density as slowly as heat spreads. Momentum shortens that:
       // where a sample goes on in one direction, it goes 1 / (1 - momentum) times as far.
       const Vector in_plane = x.last_move - (x.last_move * x.normal) * x.normal;
-      const Vector step = repulsion_weight * tangential_repulsion(x, neighbors.of(i), points,
-                                                                  spacings, fit.settings) +
-                          fit.settings.momentum * in_plane;
+      const Vector step =
+          weight * tangential_repulsion(x, neighbors.of(i), points, spacings, fit.settings) +
+          fit.settings.momentum * in_plane;
       move_on_surface(x, step, fit);
       x.last_move = x.point - points[i];
       moved[i] = std::sqrt(x.last_move.squared_length()) / x.spacing;
