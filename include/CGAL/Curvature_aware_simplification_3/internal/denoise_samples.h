@@ -49,9 +49,10 @@ inline Fits_of_all_sizes fits_of_all_sizes(const Surface_fit& fit, const Surface
   Fits_of_all_sizes fits{surface.origin, {}};
   if (!(surface.radius > 0.))
     return fits;
-  // Balls of twice the area, and so on. All are in the largest, which is searched once, but for
-  // the small way that the foot point goes.
-  const double ratio = static_cast<double>(largest_neighborhood) /
+  // Balls of twice the area, and so on, up to five doublings, when noise is down to sigma / 8. All are in
+  // the largest, which is searched once, but for the small way that the foot point goes.
+  constexpr std::size_t widest_neighborhood = 2 * largest_neighborhood;
+  const double ratio = static_cast<double>(widest_neighborhood) /
                        static_cast<double>((std::max)(surface.neighbors, std::size_t(1)));
   const double largest_radius = surface.radius * std::sqrt(ratio);
   static thread_local Neighborhood wide;
@@ -69,15 +70,29 @@ inline Fits_of_all_sizes fits_of_all_sizes(const Surface_fit& fit, const Surface
   return fits;
 }
 
-// Moves each sample as far towards wider fits as noise explains that these differ.
+// The part w of the step to a wider fit that has the least expected error, from the mean square q of such
+// steps and the variance v that noise gives them.
 //
 // Of nested least-squares fits z_0, z_1, ... the differences are uncorrelated with the wider one, and
-// noise gives z_m+1 - z_m the variance var_m - var_m+1. What the differences have beyond that is
-// shape, which the wider fit misses. As in a Wiener filter, the share of the noise in the mean
-// square of the difference is the part of the step to take, for the least expected error:
-//   z = z_0 + sum_m w_m (z_m+1 - z_m),  w_m = (var_m - var_m+1) / mean (z_m+1 - z_m)^2,
-// at most 1. One difference tells little, so the mean is over the sample and its 32 nearest, where
-// shape is similar.
+// noise gives z_m+1 - z_m the variance v_m = var_m - var_m+1. What q_m has beyond that is shape, which
+// the wider fit misses: s_m^2 = q_m - v_m. With a part w_m of the step, noise is down to
+// var_m+1 + (1 - w_m)^2 v_m, and shape is off by b_m + w_m s_m, where b_m is what the steps before have
+// missed, to the same side. The least sum of the first and the square of the second is at
+//   w_m = (v_m - b_m s_m) / (v_m + s_m^2);
+// with b_m = 0, this is a Wiener filter. If shape grows like the 3/2 power of the number of neighbors, as
+// in noise_level.h, b_m = s_m / (2^(3/2) - 1) = c s_m, and w_m = (1 + c) v_m / q_m - c.
+inline double part_of_step(double square, double variance)
+{
+  constexpr double c = 0.547;
+  if (square <= variance) // all of it is noise
+    return 1.;
+  return (std::max)((1. + c) * variance / square - c, 0.);
+}
+
+// Moves each sample as far towards wider fits as noise explains that these differ:
+//   z = z_0 + sum_m w_m (z_m+1 - z_m).
+// One difference tells little, so the mean square is over the sample and its 32 nearest, where shape is
+// similar.
 template <typename ConcurrencyTag>
 void denoise_samples(std::vector<Surface_sample>& samples, const Surface_fit& fit,
                      const Progress& progress)
@@ -115,10 +130,7 @@ void denoise_samples(std::vector<Surface_sample>& samples, const Surface_fit& fi
     Point& result = samples[i].point;
     result = points[i];
     for (std::size_t m = 0; m < steps; ++m)
-    {
-      const double part = square[m] > expected[m] ? expected[m] / square[m] : 1.;
-      result = result + part * fits[i].widenings[m].shift;
-    }
+      result = result + part_of_step(square[m], expected[m]) * fits[i].widenings[m].shift;
   });
 }
 
