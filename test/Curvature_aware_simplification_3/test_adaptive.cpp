@@ -1125,7 +1125,8 @@ TEST(Adaptive, puts_one_sample_into_each_corner_of_an_open_surface)
   };
   // of 480 corners with other seeds, 7 to 10 are crowded
   check(0., 1., 35, 2);
-  check(0.001, 1.2, 30, 5); // a sixth of the input's spacing, that far a corner is blurred
+  // a sixth of the input's spacing, that far a corner is blurred: of 480, one has no sample within 1 spacing
+  check(0.001, 1.2, 30, 5);
 }
 
 TEST(Adaptive, takes_hardly_any_part_of_a_round_border_for_a_corner)

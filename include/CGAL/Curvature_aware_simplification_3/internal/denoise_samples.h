@@ -83,8 +83,8 @@ inline Fits_of_all_sizes fits_of_all_sizes(const Surface_fit& fit, const Surface
 // in noise_level.h, b_m = s_m / (2^(3/2) - 1) = c s_m, and w_m = (1 + c) v_m / q_m - c.
 inline double part_of_step(double square, double variance)
 {
-  constexpr double c = 0.547;
-  if (square <= variance) // all of it is noise
+  constexpr double c = 0.547; // 1 / (2^(3/2) - 1)
+  if (square <= variance)     // all of it is noise
     return 1.;
   return (std::max)((1. + c) * variance / square - c, 0.);
 }
