@@ -7,6 +7,7 @@
 #define CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_FEATURES_H
 
 #include <CGAL/Curvature_aware_simplification_3/internal/Cloud.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/Covariance_sums.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Neighbor_search.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/loops.h>
 
@@ -73,31 +74,18 @@ Local_features local_features(const Neighbor_search& search, const Point& query,
                               std::size_t number_of_points, double coordinate_error,
                               const Visit& visit = Visit())
 {
-  // Sums relative to the query: differences of neighbors are small, their coordinates are not.
   double squared_radius = 0.;
-  double x = 0., y = 0., z = 0., xx = 0., xy = 0., xz = 0., yy = 0., yz = 0., zz = 0.;
+  Covariance_sums sums;
   search.for_each_nearest(query, number_of_points,
                           [&](std::size_t j, const Point& p, double squared_distance)
                           {
     visit(j, squared_distance);
     squared_radius = (std::max)(squared_radius, squared_distance);
-    const Vector v = p - query;
-    x += v.x();
-    y += v.y();
-    z += v.z();
-    xx += v.x() * v.x();
-    xy += v.x() * v.y();
-    xz += v.x() * v.z();
-    yy += v.y() * v.y();
-    yz += v.y() * v.z();
-    zz += v.z() * v.z();
+    sums.add(p - query);
   });
-  const double n = static_cast<double>(number_of_points);
-  const std::array<double, 6> covariance = {(xx - x * x / n) / n, (xy - x * y / n) / n,
-                                            (xz - x * z / n) / n, (yy - y * y / n) / n,
-                                            (yz - y * z / n) / n, (zz - z * z / n) / n};
-  const double k = (std::max)(n - 1., 1.);
-  return {surface_variation<DiagonalizeTraits>(covariance, coordinate_error), squared_radius / k};
+  const double k = (std::max)(static_cast<double>(number_of_points) - 1., 1.);
+  return {surface_variation<DiagonalizeTraits>(sums.covariance(), coordinate_error),
+          squared_radius / k};
 }
 
 // The number of points of a neighborhood: the point itself and its k neighbors, or all there are

@@ -6,6 +6,7 @@
 #ifndef CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_FIT_QUADRIC_H
 #define CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_FIT_QUADRIC_H
 
+#include <CGAL/Curvature_aware_simplification_3/internal/Covariance_sums.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Local_surface.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Neighborhood.h>
 
@@ -14,6 +15,7 @@
 #include <Eigen/Eigenvalues>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace CGAL {
@@ -23,19 +25,14 @@ namespace internal {
 // The normal of the weighted least-squares plane
 inline Vector plane_normal(const Neighborhood& neighborhood)
 {
-  double sum = 0.;
-  Eigen::Vector3d mean = Eigen::Vector3d::Zero();
-  Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
+  Covariance_sums sums;
   for (const Neighborhood::Neighbor& neighbor : neighborhood.neighbors)
-  {
-    const Vector& p = neighbor.position;
-    const Eigen::Vector3d q(p.x(), p.y(), p.z());
-    sum += neighbor.weight;
-    mean += neighbor.weight * q;
-    covariance += neighbor.weight * q * q.transpose();
-  }
-  mean /= sum;
-  covariance = covariance / sum - mean * mean.transpose();
+    sums.add(neighbor.position, neighbor.weight);
+  const std::array<double, 6> c = sums.covariance();
+  Eigen::Matrix3d covariance;
+  covariance << c[0], c[1], c[2], //
+      c[1], c[3], c[4],           //
+      c[2], c[4], c[5];
   Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver;
   solver.computeDirect(covariance);
   const Eigen::Vector3d n = solver.eigenvectors().col(0);
@@ -46,6 +43,9 @@ inline Vector plane_normal(const Neighborhood& neighborhood)
 
 // The quadric with the least squared heights of the weighted neighbors, in the frame of `surface`. Its
 // `error` is what noise of standard deviation `noise` makes of c0. Returns false if it fails.
+//
+// With the basis f = (1, a, b, a^2, a b, b^2), the coefficients c solve (sum w f f^T) c = sum w h f. The
+// matrix has 36 entries, but they are only 15 different moments m_ij = sum w a^i b^j.
 inline bool fit_quadric(const Neighborhood& neighborhood, double noise, Local_surface& surface)
 {
   // in the unit of the radius, so that all entries of the matrix are of one size
@@ -53,25 +53,54 @@ inline bool fit_quadric(const Neighborhood& neighborhood, double noise, Local_su
   using Column = Eigen::Matrix<double, 6, 1>;
   const double unit = neighborhood.radius;
   const double scale = 1. / unit;
-  Matrix matrix = Matrix::Zero(); // sum of w b b' for the basis b
-  Column right = Column::Zero();  // sum of w h b
-  double sum = 0., sum_of_squares = 0.;
+  double m00 = 0., m10 = 0., m01 = 0., m20 = 0., m11 = 0., m02 = 0., m30 = 0., m21 = 0., m12 = 0.,
+         m03 = 0., m40 = 0., m31 = 0., m22 = 0., m13 = 0., m04 = 0.;
+  double h00 = 0., h10 = 0., h01 = 0., h20 = 0., h11 = 0., h02 = 0.; // sum w h a^i b^j
+  double sum_of_squares = 0.;
   for (const Neighborhood::Neighbor& neighbor : neighborhood.neighbors)
   {
     const double w = neighbor.weight;
     const double a = scale * (neighbor.position * surface.u);
     const double b = scale * (neighbor.position * surface.v);
     const double h = scale * (neighbor.position * surface.n);
-    const Column basis = (Column() << 1., a, b, a * a, a * b, b * b).finished();
-    const Column weighted = w * basis;
-    matrix.noalias() += weighted * basis.transpose();
-    right += h * weighted;
-    sum += w;
+    const double aa = a * a, ab = a * b, bb = b * b;
+    const double wa = w * a, wb = w * b, waa = w * aa, wab = w * ab, wbb = w * bb;
+    m00 += w;
+    m10 += wa;
+    m01 += wb;
+    m20 += waa;
+    m11 += wab;
+    m02 += wbb;
+    m30 += waa * a;
+    m21 += waa * b;
+    m12 += wbb * a;
+    m03 += wbb * b;
+    m40 += waa * aa;
+    m31 += waa * ab;
+    m22 += waa * bb;
+    m13 += wab * bb;
+    m04 += wbb * bb;
+    h00 += w * h;
+    h10 += wa * h;
+    h01 += wb * h;
+    h20 += waa * h;
+    h11 += wab * h;
+    h02 += wbb * h;
     sum_of_squares += w * w;
   }
+  const double sum = m00;
   if (!(sum > 0.))
     return false;
 
+  Matrix matrix;
+  Column right;
+  matrix << m00, m10, m01, m20, m11, m02, //
+      m10, m20, m11, m30, m21, m12,       //
+      m01, m11, m02, m21, m12, m03,       //
+      m20, m30, m21, m40, m31, m22,       //
+      m11, m21, m12, m31, m22, m13,       //
+      m02, m12, m03, m22, m13, m04;
+  right << h00, h10, h01, h20, h11, h02;
   // A penalty that only speaks where the neighbors are silent: points on a line know nothing of the
   // curvature across it. Against the 1/24 that a disk contributes to a^4, 1e-5 is nothing.
   for (int i = 1; i < 6; ++i)
