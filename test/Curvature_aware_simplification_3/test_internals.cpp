@@ -7,6 +7,7 @@
 #include <CGAL/Curvature_aware_simplification_3/internal/Neighbor_search.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/counter_based_random.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/density_weights.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/equal_points.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/features.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/parameters.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/relax.h>
@@ -24,6 +25,7 @@
 #include <cstdint>
 #include <limits>
 #include <numeric>
+#include <random>
 #include <set>
 #include <utility>
 #include <vector>
@@ -271,6 +273,49 @@ TEST(Cloud, merges_duplicates_and_keeps_track)
     EXPECT_EQ(cloud.input_index[j], i < 300 ? i : (i - 300) / 2);
     EXPECT_LT(CGAL::squared_distance(cloud.frame.from_frame(cloud.points[j]), points[i]), 1e-30);
   }
+}
+
+TEST(Cloud, finds_the_first_of_equal_points)
+{
+  // all equal, none equal, many equal on a lattice, zeros of both signs; against a search by brute force
+  std::vector<Point> lattice, zeros;
+  for (std::size_t i = 0; i < 1000; ++i)
+    lattice.emplace_back(static_cast<double>(i * i % 17), static_cast<double>(i % 5),
+                         static_cast<double>(i % 3));
+  for (int i = 0; i < 8; ++i)
+    zeros.emplace_back(i % 2 == 0 ? 0. : -0., i % 4 < 2 ? 0. : -0., i < 4 ? 0. : -0.);
+  for (const std::vector<Point>& points :
+       {lattice, zeros, surfaces::sphere(1000, 3), std::vector<Point>(1000, Point(1., 2., 3.)),
+        std::vector<Point>(1, Point(1., 2., 3.))})
+  {
+    std::vector<std::size_t> expected;
+    for (const Point& p : points)
+      expected.push_back(
+          static_cast<std::size_t>(std::find(points.begin(), points.end(), p) - points.begin()));
+    EXPECT_EQ(first_of_equal_points<CGAL::Sequential_tag>(points), expected);
+    EXPECT_EQ(first_of_equal_points<Tag>(points), expected);
+  }
+}
+
+TEST(Cloud, looks_for_duplicates_among_few_points)
+{
+  std::vector<Point> points = surfaces::sphere(100000, 3);
+  points.push_back(points[5]);
+  const std::vector<std::size_t> found = points_with_equal_hash<Tag>(points);
+  EXPECT_LT(found.size(), points.size() / 10);
+  EXPECT_TRUE(std::binary_search(found.begin(), found.end(), 5u));
+  EXPECT_TRUE(std::binary_search(found.begin(), found.end(), points.size() - 1));
+}
+
+TEST(Cloud, has_an_order_that_does_not_depend_on_that_of_the_input)
+{
+  // on a lattice, most points have the coordinates of others
+  std::vector<Point> points;
+  for (int i = 0; i < 8000; ++i)
+    points.emplace_back(i % 20, i / 20 % 20, i / 400);
+  const Cloud cloud = cloud_of(points);
+  std::shuffle(points.begin(), points.end(), std::mt19937(1));
+  EXPECT_EQ(cloud_of(points).points, cloud.points);
 }
 
 TEST(Cloud, selects_duplicates_only_when_it_must)

@@ -8,22 +8,16 @@
 
 #include <CGAL/Curvature_aware_simplification_3/internal/Frame.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Neighbor_search.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/equal_points.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/loops.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/scan.h>
 
 #include <CGAL/Bbox_3.h>
-#include <CGAL/Spatial_sort_traits_adapter_3.h>
-#include <CGAL/hilbert_sort.h>
-#include <CGAL/property_map.h>
-
-#ifdef CGAL_LINKED_WITH_TBB
-#include <tbb/parallel_sort.h>
-#endif
+#include <CGAL/Hilbert_sort_median_3.h>
 
 #include <algorithm>
 #include <cstddef>
 #include <functional>
-#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -48,18 +42,32 @@ struct Cloud
   std::size_t input_size() const { return distinct_index.size(); }
 };
 
-template <typename ConcurrencyTag, typename Iterator, typename Less>
-void sort(Iterator begin, Iterator end, const Less& less)
+// Sorts points with their positions in the input: sorting positions alone would jump through memory with
+// each comparison. Points that agree in the coordinate compared are told apart by the next ones, so that
+// the order along the curve does not depend on that of the input. A model of CGAL's SpatialSortingTraits_3.
+struct Sort_traits
 {
-#ifdef CGAL_LINKED_WITH_TBB
-  if (std::is_convertible<ConcurrencyTag, Parallel_tag>::value)
+  using Point_3 = std::pair<Point, std::size_t>;
+
+  template <int axis>
+  struct Less
   {
-    tbb::parallel_sort(begin, end, less);
-    return;
-  }
-#endif
-  std::sort(begin, end, less);
-}
+    bool operator()(const Point_3& p, const Point_3& q) const
+    {
+      for (int i = axis; i < axis + 3; ++i)
+        if (p.first[i % 3] != q.first[i % 3])
+          return p.first[i % 3] < q.first[i % 3];
+      return false;
+    }
+  };
+  using Less_x_3 = Less<0>;
+  using Less_y_3 = Less<1>;
+  using Less_z_3 = Less<2>;
+
+  Less_x_3 less_x_3_object() const { return Less_x_3(); }
+  Less_y_3 less_y_3_object() const { return Less_y_3(); }
+  Less_z_3 less_z_3_object() const { return Less_z_3(); }
+};
 
 // Merges duplicates and sorts along a Hilbert curve. There is at least one point; coordinates are
 // exact up to `relative_error` times the largest of them. O(n log n)
@@ -72,35 +80,25 @@ Cloud make_cloud(std::vector<Point> coordinates, double relative_error)
   const Frame frame(box);
   const double largest_coordinate =
       (std::max)({-box.xmin(), -box.ymin(), -box.zmin(), box.xmax(), box.ymax(), box.zmax()});
-
-  // Points are sorted together with their positions in the input: sorting positions alone would jump
-  // through memory with each comparison. Equal points become neighbors in lexicographic order, the first
-  // of the input in front.
-  using Point_and_index = std::pair<Point, std::size_t>;
-  std::vector<Point_and_index> sorted(n);
   for_each_index<ConcurrencyTag>(0, n,
-                                 [&](std::size_t i) {
-    sorted[i] = {frame.to_frame(coordinates[i].x(), coordinates[i].y(), coordinates[i].z()), i};
-  });
-  coordinates = std::vector<Point>();
-  sort<ConcurrencyTag>(sorted.begin(), sorted.end(), std::less<Point_and_index>());
-  const std::vector<std::size_t> first_of_equals = indices_where<ConcurrencyTag>(
-      n, [&](std::size_t i) { return i == 0 || sorted[i].first != sorted[i - 1].first; });
-  const std::size_t distinct = first_of_equals.size();
-  std::vector<std::size_t> first_equal(n);
-  for_each_index<ConcurrencyTag>(0, distinct,
                                  [&](std::size_t i)
                                  {
-    const std::size_t end = i + 1 < distinct ? first_of_equals[i + 1] : n;
-    for (std::size_t j = first_of_equals[i]; j < end; ++j)
-      first_equal[sorted[j].second] = sorted[first_of_equals[i]].second;
+    const Point& p = coordinates[i];
+    coordinates[i] = frame.to_frame(p.x(), p.y(), p.z());
   });
-  if (distinct < n)
-    sorted = elements_at<ConcurrencyTag>(first_of_equals, sorted);
 
-  using Sort_traits = Spatial_sort_traits_adapter_3<Computation_kernel,
-                                                    First_of_pair_property_map<Point_and_index>>;
-  hilbert_sort<ConcurrencyTag>(sorted.begin(), sorted.end(), Sort_traits());
+  const std::vector<std::size_t> first_equal = first_of_equal_points<ConcurrencyTag>(coordinates);
+  const std::vector<std::size_t> firsts =
+      indices_where<ConcurrencyTag>(n, [&](std::size_t i) { return first_equal[i] == i; });
+  const std::size_t distinct = firsts.size();
+  std::vector<Sort_traits::Point_3> sorted(distinct);
+  for_each_index<ConcurrencyTag>(0, distinct,
+                                 [&](std::size_t i) {
+    sorted[i] = {coordinates[firsts[i]], firsts[i]};
+  });
+  coordinates = std::vector<Point>();
+  // what CGAL::hilbert_sort() calls after it has shuffled the points, on one thread
+  Hilbert_sort_median_3<Sort_traits, ConcurrencyTag>{Sort_traits()}(sorted.begin(), sorted.end());
 
   std::vector<Point> points(distinct);
   std::vector<std::size_t> input_index(distinct);
