@@ -1088,7 +1088,9 @@ TEST(Adaptive, puts_samples_on_sharp_edges)
       EXPECT_GT(along[i] - along[i - 1], 0.25 * 0.5 * 0.054) << n;
   }
   const std::vector<Point> noisy = with_noise(cube(100000, 88), 0.002, 89);
-  EXPECT_GT(on_edges(simplified(noisy, np::number_of_output_points(3000)), 0.002), 12. / 0.054);
+  // fewer with noise: 175 to 228 for 12 such cubes
+  EXPECT_GT(on_edges(simplified(noisy, np::number_of_output_points(3000)), 0.002),
+            0.75 * 12. / 0.054);
 }
 
 TEST(Adaptive, puts_one_sample_into_each_corner_of_an_open_surface)
@@ -1253,11 +1255,36 @@ TEST(Adaptive, spreads_evenly_whatever_the_density_of_the_input)
   EXPECT_LT(largest_gap, 1.3 * std::sqrt(4. * CGAL_PI / 2000. * 2. / std::sqrt(3.)));
 }
 
+TEST(Adaptive, places_no_sample_in_a_gap)
+{
+  // where a sample goes from near the middle of a hole with this radius, in a plane of points 0.1 apart
+  const auto place = [](double hole)
+  {
+    std::vector<Point> points;
+    for (int i = -30; i <= 30; ++i)
+      for (int j = -30; j <= 30; ++j)
+        if (i * i + j * j > 100. * hole * hole)
+          points.emplace_back(0.1 * i, 0.1 * j, 0.);
+    const Neighbor_search search(points, Tag());
+    const Surface_fit fit{search, points.size(), 0., 0.};
+    Surface_sample sample;
+    sample.place(fit, Point(0.02, 0.01, 0.001), Vector(0., 0., 1.), rounds_to_move);
+    EXPECT_NEAR(sample.point.z(), 0., 1e-12);
+    return std::hypot(sample.point.x(), sample.point.y());
+  };
+  EXPECT_NEAR(place(0.05), 0.022, 0.002); // one point is missing
+  EXPECT_NEAR(place(0.52), 0.54, 0.03);   // to the point (0.5, 0.2) of the rim
+}
+
 TEST(Adaptive, leaves_no_sample_far_from_a_sparse_comb)
 {
   // Plates and walls, 1/20 apart, sampled ten times as densely on one end as on the other, where the
-  // neighbors of a point are on three of them
+  // neighbors of a point are on three of them. Without the limit on quadrics, samples are up to 32
+  // spacings off in 7 of the first 30; without that on gaps, up to 7 spacings in 4 of 300, these among them.
+  std::vector<unsigned int> seeds = {106, 110, 147, 179, 214, 254, 289};
   for (unsigned int seed = 1; seed <= 30; ++seed)
+    seeds.push_back(seed);
+  for (unsigned int seed : seeds)
   {
     CGAL::Random random(seed);
     std::vector<Point> points;
@@ -1279,7 +1306,7 @@ TEST(Adaptive, leaves_no_sample_far_from_a_sparse_comb)
     for (const Point& p : output)
       search.for_each_nearest(p, 1,
                               [&](std::size_t, const Point&, double squared_distance) {
-        EXPECT_LT(std::sqrt(squared_distance), 2. * report.output_spacing) << seed;
+        EXPECT_LT(std::sqrt(squared_distance), 1.5 * report.output_spacing) << seed;
       });
   }
 }

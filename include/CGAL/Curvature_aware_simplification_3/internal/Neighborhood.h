@@ -76,6 +76,17 @@ struct Neighborhood
 
   std::size_t size() const { return neighbors.size(); }
 
+  // the neighbor nearest to x; there is at least one
+  Point nearest(const Point& x) const
+  {
+    const Vector offset = center - x;
+    const auto found = std::min_element(neighbors.begin(), neighbors.end(),
+                                        [&](const Neighbor& p, const Neighbor& q) {
+      return (p.position + offset).squared_length() < (q.position + offset).squared_length();
+    });
+    return center + found->position;
+  }
+
   void weight_by_distance()
   {
     weight_by_distance([](const Neighbor& neighbor) { return neighbor.squared_distance; });
