@@ -226,6 +226,8 @@ Setting with_parameters(const std::string& parameters)
   set("keep_borders", settings.keep_borders);
   set("moves_to_foot_point", settings.moves_to_foot_point);
   set("denoise", settings.denoise);
+  set("points_of_widest_fit", settings.points_of_widest_fit);
+  set("missed_shape", settings.missed_shape);
   set("move_to_edges", settings.move_to_edges);
   set("move_to_corners", settings.move_to_corners);
 

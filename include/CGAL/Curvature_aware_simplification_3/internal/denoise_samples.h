@@ -49,10 +49,9 @@ inline Fits_of_all_sizes fits_of_all_sizes(const Surface_fit& fit, const Surface
   Fits_of_all_sizes fits{surface.origin, {}};
   if (!(surface.radius > 0.))
     return fits;
-  // Balls of twice the area, and so on, up to five doublings, when noise is down to sigma / 8. All are in
-  // the largest, which is searched once, but for the small way that the foot point goes.
-  constexpr std::size_t widest_neighborhood = 2 * largest_neighborhood;
-  const double ratio = static_cast<double>(widest_neighborhood) /
+  // Balls of twice the area, and so on. All are in the largest, which is searched once, but for the small
+  // way that the foot point goes.
+  const double ratio = static_cast<double>(fit.settings.points_of_widest_fit) /
                        static_cast<double>((std::max)(surface.neighbors, std::size_t(1)));
   const double largest_radius = surface.radius * std::sqrt(ratio);
   static thread_local Neighborhood wide;
@@ -79,14 +78,13 @@ inline Fits_of_all_sizes fits_of_all_sizes(const Surface_fit& fit, const Surface
 // var_m+1 + (1 - w_m)^2 v_m, and shape is off by b_m + w_m s_m, where b_m is what the steps before have
 // missed, to the same side. The least sum of the first and the square of the second is at
 //   w_m = (v_m - b_m s_m) / (v_m + s_m^2);
-// with b_m = 0, this is a Wiener filter. If shape grows like the 3/2 power of the number of neighbors, as
-// in noise_level.h, b_m = s_m / (2^(3/2) - 1) = c s_m, and w_m = (1 + c) v_m / q_m - c.
-inline double part_of_step(double square, double variance)
+// with b_m = 0, this is a Wiener filter. With b_m = c s_m, where c is `missed_shape`, it is
+//   w_m = (1 + c) v_m / q_m - c.
+inline double part_of_step(double square, double variance, double missed_shape)
 {
-  constexpr double c = 0.547; // 1 / (2^(3/2) - 1)
-  if (square <= variance)     // all of it is noise
+  if (square <= variance) // all of it is noise
     return 1.;
-  return (std::max)((1. + c) * variance / square - c, 0.);
+  return (std::max)((1. + missed_shape) * variance / square - missed_shape, 0.);
 }
 
 // Moves each sample as far towards wider fits as noise explains that these differ:
@@ -130,7 +128,8 @@ void denoise_samples(std::vector<Surface_sample>& samples, const Surface_fit& fi
     Point& result = samples[i].point;
     result = points[i];
     for (std::size_t m = 0; m < steps; ++m)
-      result = result + part_of_step(square[m], expected[m]) * fits[i].widenings[m].shift;
+      result = result + part_of_step(square[m], expected[m], fit.settings.missed_shape) *
+                            fits[i].widenings[m].shift;
   });
 }
 
