@@ -20,7 +20,6 @@
 #include <atomic>
 #include <cstddef>
 #include <cstdint>
-#include <numeric>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -97,7 +96,7 @@ template <typename ConcurrencyTag>
 std::vector<std::size_t> first_of_equal_points(const std::vector<Point>& points)
 {
   std::vector<std::size_t> first(points.size());
-  std::iota(first.begin(), first.end(), std::size_t(0));
+  for_each_index<ConcurrencyTag>(0, first.size(), [&](std::size_t i) { first[i] = i; });
 
   const std::vector<std::size_t> candidates = points_with_equal_hash<ConcurrencyTag>(points);
   using Point_and_index = std::pair<Point, std::size_t>;
