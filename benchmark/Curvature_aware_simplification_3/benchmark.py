@@ -44,9 +44,17 @@ def surroundings(arguments):
                               "libeigen3-dev", "libtbb-dev", "libboost-dev"],
                              capture_output=True, text=True).stdout.rstrip(", ")
     commit = first_line(["git", "-C", str(HERE), "rev-parse", "--short", "HEAD"])
+    command, kept = f"scripts/benchmark.sh {arguments.mode}", ""
+    if arguments.reuse:
+        command += " --reuse"
+    if arguments.rerun:
+        command += f' --rerun "{arguments.rerun}"'
+    if arguments.reuse or arguments.rerun:
+        kept = ("Rows that were not run again are from an earlier run, and their seconds maybe from "
+                "another machine; the section on cost has all times from one.\n")
     return (f"{datetime.date.today()}, commit {commit}, {processor()}, {os.cpu_count()} threads, "
             f"{first_line(['g++', '--version'])}, {version}.\n"
-            f"Command: `scripts/benchmark.sh {arguments.mode}`.\n")
+            f"Command: `{command}`.\n{kept}")
 
 
 def render(reference, items, output, **camera):
