@@ -62,13 +62,13 @@ double surface_variation(const std::array<double, 6>& covariance, double coordin
   return (std::min)(eigenvalues[0] / trace, 1. / 3.);
 }
 
-// kappa and 1/rho at `query` from the `number_of_points` nearest points. When the query is itself a
-// point of the search, it is the first of them and not counted among the k neighbors.
 struct No_visit
 {
   void operator()(std::size_t, double) const {}
 };
 
+// kappa and 1/rho at `query` from the `number_of_points` nearest points. When the query is itself a
+// point of the search, it is the first of them and not counted among the k neighbors.
 template <typename DiagonalizeTraits, typename Visit = No_visit>
 Local_features local_features(const Neighbor_search& search, const Point& query,
                               std::size_t number_of_points, double coordinate_error,
@@ -113,15 +113,21 @@ Features compute_features(const Cloud& cloud, const Neighbor_search& search,
   return features;
 }
 
+template <typename ConcurrencyTag>
+double largest_curvature(const Features& features)
+{
+  return reduce_indices<ConcurrencyTag>(
+      features.curvature.size(), 0., [&](std::size_t i) { return features.curvature[i]; },
+      [](double a, double b) { return (std::max)(a, b); });
+}
+
 // The factor that takes kappa to [0, 20] (paper, sec. 4.2); 0 where kappa vanishes everywhere.
 // The lower end of the scale is kappa = 0 and not the smallest kappa: otherwise a sphere's kappa,
 // equal up to noise, would spread over the whole range.
 template <typename ConcurrencyTag>
-double curvature_scale(const std::vector<double>& curvature, double maximum_scaled_curvature)
+double curvature_scale(const Features& features, double maximum_scaled_curvature)
 {
-  const double maximum = reduce_indices<ConcurrencyTag>(
-      curvature.size(), 0., [&](std::size_t i) { return curvature[i]; },
-      [](double a, double b) { return (std::max)(a, b); });
+  const double maximum = largest_curvature<ConcurrencyTag>(features);
   return maximum > 0. ? maximum_scaled_curvature / maximum : 0.;
 }
 

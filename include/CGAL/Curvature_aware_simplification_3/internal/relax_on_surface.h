@@ -149,10 +149,10 @@ Sample_neighbors relax_on_surface(std::vector<Surface_sample>& samples, const Su
                                   std::size_t number_of_iterations, double repulsion_weight,
                                   const Progress& progress)
 {
-  // Means over all samples of how far they move, in spacings. Ten iterations come to 1 or a little more, so
-  // that neighbors are searched for a second time after the third. A third search, with half of this, made
-  // no difference. Two samples that move as far as the mean come from 2 spacings to 1 unseen, but few
-  // move towards each other.
+  // Means over all samples of how far they move, in spacings. Ten iterations come to 1 or a little less: after
+  // the third, neighbors are searched for again. With 0.25, they would be a third time, which makes no
+  // difference. Two samples that move as far as the mean come from 2 spacings to 1 unseen, but few move
+  // towards each other.
   constexpr double far_enough_to_search = 0.5;
   // below which the distribution does not change any more: 1 % of what the first iteration moves
   constexpr double at_rest = 0.001;

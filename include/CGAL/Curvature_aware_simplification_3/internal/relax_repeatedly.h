@@ -32,7 +32,7 @@ std::vector<Point> relax_repeatedly(const std::vector<Point>& initial_samples, c
                                     const Progress& progress)
 {
   const double scale =
-      curvature_scale<ConcurrencyTag>(features.curvature, Curvature_weights::maximum_curvature);
+      curvature_scale<ConcurrencyTag>(features, Curvature_weights::maximum_curvature);
   const Curvature_weights curvature_weights(parameters.curvature_dependence);
 
   Attractors attractors{search, std::vector<double>(cloud.size())};

@@ -11,6 +11,7 @@
 #include <CGAL/Curvature_aware_simplification_3/internal/features.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/loops.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/parameters.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/scan.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -94,9 +95,10 @@ std::vector<std::size_t> select_points(const Cloud& cloud, const Features& featu
                      : DISTINCT;
   });
 
-  std::vector<std::size_t> selected, others;
-  for (std::size_t i = 0; i < state.size(); ++i)
-    (state[i] == DRAWN ? selected : others).push_back(i);
+  std::vector<std::size_t> selected =
+      indices_where<ConcurrencyTag>(state.size(), [&](std::size_t i) { return state[i] == DRAWN; });
+  std::vector<std::size_t> others =
+      indices_where<ConcurrencyTag>(state.size(), [&](std::size_t i) { return state[i] != DRAWN; });
 
   // Of a set in random order, duplicates last, the first `count` elements
   const auto choose = [&](std::vector<std::size_t>& set, std::size_t count)

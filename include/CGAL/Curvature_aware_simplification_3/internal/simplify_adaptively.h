@@ -54,8 +54,7 @@ Distinct_samples simplify_adaptively(Cloud cloud, std::unique_ptr<Neighbor_searc
       cloud, *search, parameters.number_of_neighbors, progress.part(0., 0.3));
   Features& features = shared.features;
   report.features_time = stopwatch.lap();
-  report.maximum_surface_variation =
-      *std::max_element(features.curvature.begin(), features.curvature.end());
+  report.maximum_surface_variation = largest_curvature<ConcurrencyTag>(features);
 
   const std::size_t number_of_samples = parameters.number_of_output_points;
   if (number_of_samples >= cloud.size()) // all points, and duplicates

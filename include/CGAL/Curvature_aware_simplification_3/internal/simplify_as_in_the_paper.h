@@ -17,7 +17,6 @@
 
 #include <CGAL/Curvature_aware_simplification_report.h>
 
-#include <algorithm>
 #include <limits>
 
 namespace CGAL {
@@ -34,8 +33,7 @@ Distinct_samples simplify_as_in_the_paper(const Cloud& cloud, const Neighbor_sea
   const Features features = compute_features<ConcurrencyTag, DiagonalizeTraits>(
       cloud, search, parameters.number_of_neighbors, progress.part(0., 0.5));
   report.features_time = stopwatch.lap();
-  report.maximum_surface_variation =
-      *std::max_element(features.curvature.begin(), features.curvature.end());
+  report.maximum_surface_variation = largest_curvature<ConcurrencyTag>(features);
 
   Distinct_samples samples =
       distinct_samples(cloud, select_points<ConcurrencyTag>(cloud, features, parameters));
