@@ -32,6 +32,7 @@
 #include <iterator>
 #include <limits>
 #include <random>
+#include <set>
 #include <utility>
 #include <vector>
 
@@ -245,6 +246,20 @@ TEST(Neighborhood, in_a_ball_agrees_with_brute_force)
   std::sort(found.begin(), found.end());
   for (std::size_t i = 0; i < found.size(); ++i)
     EXPECT_LT(CGAL::squared_distance(found[i], expected[i]), 1e-28);
+}
+
+// The midpoint of two neighboring numbers is one of them: a split there leaves one side empty, and would
+// be made again and again.
+TEST(Neighborhood, is_found_where_no_number_is_between_the_coordinates)
+{
+  std::vector<Point> points;
+  for (int i = 0; i < 100; ++i)
+    points.emplace_back(i % 2 == 0 ? 0.5 : std::nextafter(0.5, 1.), 1e-19 * i, 0.);
+  const Neighbor_search search(points, Tag());
+  std::set<std::size_t> found;
+  search.for_each_nearest(Point(0.5, 0., 0.), 10,
+                          [&](std::size_t i, const Point&, double) { found.insert(i); });
+  EXPECT_EQ(found, (std::set<std::size_t>{0, 2, 4, 6, 8, 10, 12, 14, 16, 18}));
 }
 
 TEST(Sample_neighbors, agree_with_brute_force)

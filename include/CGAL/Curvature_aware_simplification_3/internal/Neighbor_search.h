@@ -6,12 +6,14 @@
 #ifndef CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_NEIGHBOR_SEARCH_H
 #define CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_NEIGHBOR_SEARCH_H
 
+#include <CGAL/Euclidean_distance.h>
 #include <CGAL/Fuzzy_sphere.h>
 #include <CGAL/Kd_tree.h>
 #include <CGAL/Orthogonal_k_neighbor_search.h>
 #include <CGAL/Search_traits_3.h>
 #include <CGAL/Search_traits_adapter.h>
 #include <CGAL/Simple_cartesian.h>
+#include <CGAL/Splitters.h>
 #include <CGAL/property_map.h>
 
 #include <boost/iterator/counting_iterator.hpp>
@@ -69,16 +71,46 @@ public:
   }
 
 private:
-  // With 24 instead of CGAL's 10, the tree is built in three quarters of the time, and searches take as
-  // long or up to a tenth less; with 32 they take longer again.
-  static constexpr unsigned int points_in_leaf = 24;
-
   using Point_map = Pointer_property_map<Point>::const_type;
   using Base_traits = Search_traits_3<Computation_kernel>;
   using Traits = Search_traits_adapter<std::size_t, Point_map, Base_traits>;
-  using Splitter = Sliding_midpoint<Traits>;
+
+  // Halves the bounding box of the points and not the cell that they are in, as Sliding_midpoint does: a
+  // surface leaves most of a cell empty, and a whole call takes 3 % less. Like that one, and unlike its
+  // base, it lets no side be empty, which happens if the two ends have no number between them.
+  struct Splitter : Midpoint_of_max_spread<Traits>
+  {
+    using Base = Midpoint_of_max_spread<Traits>;
+    using Base::Base;
+
+    void operator()(Base::Separator& separator, Base::Container& points,
+                    Base::Container& lower) const
+    {
+      separator =
+          Base::Separator(points.max_tight_span_coord(),
+                          (points.max_tight_span_lower() + points.max_tight_span_upper()) / 2.);
+      points.split(lower, separator, true);
+    }
+  };
+
+  // CGAL's distance comes with a loop over any number of coordinates that may stop early. Three are
+  // computed at once in less time: a whole call takes 3 % less.
+  struct Distance_in_space : Euclidean_distance<Base_traits>
+  {
+    template <typename Coordinate_iterator>
+    double interruptible_transformed_distance(const Point& query, Coordinate_iterator begin,
+                                              Coordinate_iterator end, double) const
+    {
+      return this->transformed_distance_from_coordinates(query, begin, end);
+    }
+  };
+
+  // With 24 instead of CGAL's 10, the tree is built in three quarters of the time, and searches take as
+  // long or up to a tenth less; with 32 they are no faster.
+  static constexpr unsigned int points_in_leaf = 24;
+
   using Tree = Kd_tree<Traits, Splitter, Tag_true, Tag_true /* cache of coordinates */>;
-  using Distance = Distance_adapter<std::size_t, Point_map, Euclidean_distance<Base_traits>>;
+  using Distance = Distance_adapter<std::size_t, Point_map, Distance_in_space>;
   using K_neighbor_search = Orthogonal_k_neighbor_search<Traits, Distance, Splitter, Tree>;
   using Ball = Fuzzy_sphere<Traits>;
 
