@@ -115,8 +115,8 @@ The complexity is \f$O(M (\log M + k))\f$.
                           running and to interrupt it if needed}
     \cgalParamType{an instance of `std::function<bool(double)>`}
     \cgalParamDefault{unused}
-    \cgalParamExtra{It is called on the calling thread with the current advancement, which increases
-                    from 0 to 1. If it returns `false`, nothing is written to `output`.}
+    \cgalParamExtra{It is called on the calling thread with the current advancement, from 0 to 1,
+                    which never decreases. If it returns `false`, nothing is written to `output`.}
   \cgalParamNEnd
 
   \cgalParamNBegin{geom_traits}

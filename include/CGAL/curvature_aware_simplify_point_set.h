@@ -107,6 +107,8 @@ input then, so that a permutation of the input gives another selection.
     \cgalParamDescription{number of points to return; if it is given, `select_percentage` is ignored}
     \cgalParamType{an integer from 1 to the number of input points}
     \cgalParamDefault{unused}
+    \cgalParamExtra{If as many as all distinct points are asked for, these are returned as they are:
+                    there is nothing to choose. With the settings of the paper, they are moved.}
   \cgalParamNEnd
 
   \cgalParamNBegin{adaptivity}
@@ -134,8 +136,8 @@ input then, so that a permutation of the input gives another selection.
     \cgalParamDescription{the factor \f$\mu\f$ of the repulsion}
     \cgalParamType{floating scalar value, at least 0 and below 0.5}
     \cgalParamDefault{`0.45`}
-    \cgalParamExtra{The first iteration takes twice this factor, which shrinks evenly until the tenth, or
-                    the last if there are fewer; with the settings of the paper, it is always the same.}
+    \cgalParamExtra{The first of several iterations takes twice this factor, which shrinks evenly until the
+                    tenth, or the last if there are fewer; with the settings of the paper, it is always the same.}
   \cgalParamNEnd
 
   \cgalParamNBegin{number_of_neighbors}
@@ -218,8 +220,8 @@ input then, so that a permutation of the input gives another selection.
                           running and to interrupt it if needed}
     \cgalParamType{an instance of `std::function<bool(double)>`}
     \cgalParamDefault{unused}
-    \cgalParamExtra{It is called on the calling thread with the current advancement, which increases
-                    from 0 to 1. If it returns `false`, nothing is written to `output`.}
+    \cgalParamExtra{It is called on the calling thread with the current advancement, from 0 to 1,
+                    which never decreases. If it returns `false`, nothing is written to `output`.}
   \cgalParamNEnd
 
   \cgalParamNBegin{simplification_report}

@@ -68,8 +68,8 @@ The complexity is \f$O(n (\log n + k))\f$ for \f$n\f$ points.
                           running and to interrupt it if needed}
     \cgalParamType{an instance of `std::function<bool(double)>`}
     \cgalParamDefault{unused}
-    \cgalParamExtra{It is called on the calling thread with the current advancement, which increases
-                    from 0 to 1. If it returns `false`, nothing is written.}
+    \cgalParamExtra{It is called on the calling thread with the current advancement, from 0 to 1,
+                    which never decreases. If it returns `false`, nothing is written.}
   \cgalParamNEnd
 
   \cgalParamNBegin{geom_traits}

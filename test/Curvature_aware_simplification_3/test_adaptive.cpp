@@ -618,6 +618,41 @@ TEST(Smoothing, leaves_as_much_noise_as_it_says)
   }
 }
 
+TEST(Neighborhood, of_a_fit_is_a_ball_that_is_neither_empty_nor_too_full)
+{
+  const std::vector<Point> points = surfaces::square(100000, 72);
+  const Neighbor_search search(points, Tag());
+  for (double radius : {0.001, 0.02, 0.05, 0.2})
+  {
+    std::size_t number = 0;
+    const Point x(0.5, 0.5, 0.);
+    search.for_each_within(x, radius, [&](std::size_t, const Point&, double) { ++number; });
+    const std::size_t wanted =
+        (std::min)((std::max)(number, std::size_t(25)), largest_neighborhood);
+    for (std::size_t expected : {std::size_t(0), number})
+    {
+      Neighborhood neighborhood;
+      collect_neighbors(Surface_fit{search, points.size(), 0., 0.}, x, 25, radius, expected,
+                        neighborhood);
+      EXPECT_EQ(neighborhood.size(), wanted) << radius << " " << expected;
+    }
+  }
+}
+
+// Balls of 4 sigma hold 500 and 1100 points, more than any fit takes.
+TEST(Smoothing, leaves_little_noise_where_points_are_dense_against_it)
+{
+  for (double sigma : {0.01, 0.015})
+  {
+    const Smoothed result =
+        smoothed(with_noise(surfaces::square(100000, 72), sigma, 73), sigma, 200);
+    double sum = 0.;
+    for (const Point& p : result.points)
+      sum += p.z() * p.z();
+    EXPECT_LT(std::sqrt(sum / static_cast<double>(result.points.size())), 0.3 * sigma) << sigma;
+  }
+}
+
 TEST(Smoothing, takes_part_of_the_points_that_are_dense_against_the_noise)
 {
   // 2010 points in a ball of 4 sigma, 80 times as many as a full neighborhood
@@ -755,6 +790,31 @@ TEST(Sampling_density, integrates_to_the_number_of_samples)
       sum += wanted.weight[i];
     EXPECT_NEAR(sum / 2000., 1., 0.1) << alpha; // the areas are measured at another scale
   }
+}
+
+// The middles of the faces are flat: c is 0, and the bound of c decides.
+TEST(Sampling_density, tends_to_uniform_with_alpha)
+{
+  const Cloud cloud = make_cloud<Tag>(surfaces::sample(36000, 21,
+                                                       [](CGAL::Random& random)
+                                                       {
+    const double a = random.uniform_real(0., 1.);
+    const double b = random.uniform_real(0., 1.);
+    const double c = random.uniform_int(0, 1);
+    const int axis = random.uniform_int(0, 2);
+    return axis == 0 ? Point(c, a, b) : axis == 1 ? Point(a, c, b) : Point(a, b, c);
+                                      }),
+                                      1e-16);
+  double last = std::numeric_limits<double>::infinity();
+  for (double alpha : {1., 2. / 3., 0.1, 0.01, 1e-4, 1e-300})
+  {
+    const Sampling_density wanted = density_of(cloud, 1000, alpha, 0.);
+    const auto range = std::minmax_element(wanted.density.begin(), wanted.density.end());
+    ASSERT_GT(*range.first, 0.) << alpha;
+    EXPECT_LT(*range.second / *range.first, last) << alpha;
+    last = *range.second / *range.first;
+  }
+  EXPECT_NEAR(last, 1., 1e-9);
 }
 
 TEST(Sampling_density, follows_the_curvature)

@@ -345,6 +345,13 @@ TEST(Frame, has_a_diagonal_near_one_for_any_unit)
     EXPECT_LT(diagonal, 1.);
     EXPECT_EQ(frame.length_from_frame(diagonal), 2. * scale);
   }
+  // longer than any number
+  const double most = (std::numeric_limits<double>::max)();
+  const Frame frame(CGAL::Bbox_3(-most, -most, -most, most, most, most));
+  const Point corner = frame.to_frame(most, most, most);
+  EXPECT_GE(corner.x(), 0.5 / (2. * std::sqrt(3.)));
+  EXPECT_LT(corner.x(), 1. / (2. * std::sqrt(3.)));
+  EXPECT_EQ(frame.from_frame(corner), Point(most, most, most));
 }
 
 // Distributions that trouble search structures

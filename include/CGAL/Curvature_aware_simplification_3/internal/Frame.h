@@ -27,12 +27,12 @@ public:
     : m_center((box.xmin() / 2. + box.xmax() / 2.), (box.ymin() / 2. + box.ymax() / 2.),
                (box.zmin() / 2. + box.zmax() / 2.))
   {
-    // std::hypot, and halves above: the plain formulas overflow for coordinates above 1e154
-    const double half_diagonal =
-        std::hypot(box.xmax() / 2. - box.xmin() / 2., box.ymax() / 2. - box.ymin() / 2.,
-                   box.zmax() / 2. - box.zmin() / 2.);
-    std::frexp(half_diagonal, &m_exponent); // half_diagonal in [2^(e-1), 2^e), or both are 0
-    m_exponent += 1;
+    // std::hypot, and quarters: the plain formulas overflow for coordinates above 1e154
+    const double quarter_diagonal =
+        std::hypot(box.xmax() / 4. - box.xmin() / 4., box.ymax() / 4. - box.ymin() / 4.,
+                   box.zmax() / 4. - box.zmin() / 4.);
+    std::frexp(quarter_diagonal, &m_exponent); // in [2^(e-1), 2^e), or both are 0
+    m_exponent += 2;
   }
 
   Point to_frame(double x, double y, double z) const

@@ -88,10 +88,12 @@ Local_features local_features(const Neighbor_search& search, const Point& query,
           squared_radius / k};
 }
 
-// The number of points of a neighborhood: the point itself and its k neighbors, or all there are
+// The number of points of a neighborhood: the point itself and its k neighbors, or all there are, or as
+// many as CGAL's search structures can count
 inline std::size_t neighborhood_size(std::size_t number_of_neighbors, std::size_t number_of_points)
 {
-  return (std::min)(number_of_neighbors, number_of_points - 1) + 1;
+  constexpr std::size_t most = (std::numeric_limits<unsigned int>::max)() - 1;
+  return (std::min)({number_of_neighbors, number_of_points - 1, most}) + 1;
 }
 
 // O(n (log n + k))

@@ -83,13 +83,16 @@ inline void collect_neighbors(const Surface_fit& fit, const Point& x, std::size_
     expected_neighbors =
         static_cast<std::size_t>((std::min)(ratio * ratio * static_cast<double>(smallest), 1e9));
   }
-  if (expected_neighbors < 2 * largest)
+  // the ball is not searched if it holds more anyway
+  const bool is_searched = expected_neighbors < 2 * largest;
+  if (is_searched)
   {
     neighborhood.collect_within(fit.search, x, wanted_radius);
     if (neighborhood.size() >= smallest && neighborhood.size() <= largest)
       return;
   }
-  neighborhood.collect(fit.search, x, neighborhood.size() < smallest ? smallest : largest);
+  neighborhood.collect(fit.search, x,
+                       is_searched && neighborhood.size() < smallest ? smallest : largest);
 }
 
 inline void collect_neighbors(const Surface_fit& fit, const Point& x,

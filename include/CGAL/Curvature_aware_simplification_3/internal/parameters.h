@@ -57,8 +57,8 @@ inline double checked(const std::string& name, double value, bool is_allowed,
   throw std::invalid_argument("points is empty, but must hold at least one point");
 }
 
-// CGAL's search structures count neighbors as `unsigned int`, and one more than k are asked for.
-constexpr std::size_t largest_count = (std::numeric_limits<unsigned int>::max)() - 1;
+// Of neighbors, all of which are used if there are fewer, and of iterations
+constexpr std::size_t largest_count = (std::numeric_limits<unsigned int>::max)();
 
 // Compared before the conversion, so that a negative value is reported and not wrapped around.
 template <typename Value>
@@ -114,11 +114,14 @@ Parameters read_parameters(const NamedParameters& np, std::size_t number_of_poin
 
   Parameters result;
 
-  const double percentage = number(internal_np::select_percentage, 5.);
-  checked("select_percentage", percentage, percentage > 0. && percentage <= 100.,
-          "above 0 and at most 100");
-  result.number_of_output_points = percentage_of(percentage, number_of_points);
-  if (!is_default_parameter<NamedParameters, internal_np::number_of_output_points_t>::value)
+  if (is_default_parameter<NamedParameters, internal_np::number_of_output_points_t>::value)
+  {
+    const double percentage = number(internal_np::select_percentage, 5.);
+    checked("select_percentage", percentage, percentage > 0. && percentage <= 100.,
+            "above 0 and at most 100");
+    result.number_of_output_points = percentage_of(percentage, number_of_points);
+  }
+  else
     result.number_of_output_points = checked_count(
         "number_of_output_points",
         choose_parameter(get_parameter(np, internal_np::number_of_output_points), std::size_t(1)),

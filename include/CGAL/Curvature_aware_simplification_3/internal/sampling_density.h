@@ -70,6 +70,10 @@ sampling_density(const std::vector<Point>& points, const std::vector<double>& in
   // their plane is more than chance; where it is dense, no more than 64, which say as much as all. With
   // half or twice as many pieces or points, the mean error of what is made of it is the same to 1 %.
   constexpr double fewest_pieces = 4., most_pieces = 64., fewest_points = 17.;
+  // Of the mean that bounds the curvature from below: a few large values do not decide it. It is that of the
+  // default alpha, and not alpha itself, for which the bound would vanish with alpha: then flat parts
+  // would get less of a density that is nearly uniform.
+  constexpr double order_of_mean = 2. / 3.;
 
   const std::size_t n = points.size();
   const double number = static_cast<double>(number_of_samples);
@@ -115,15 +119,15 @@ sampling_density(const std::vector<Point>& points, const std::vector<double>& in
     area[i] = (1. + one_sided) * deviation.area / deviation.number;
   });
 
-  // bounded from below by a part of the mean of order alpha, which few large values do not decide
+  // bounded from below by a part of the mean
   const double mean_power =
       reduce_indices<ConcurrencyTag>(
-          ranges, 0., [&](std::size_t i) { return range_area[i] * std::pow(curvature[i], alpha); },
+          ranges, 0.,
+          [&](std::size_t i) { return range_area[i] * std::pow(curvature[i], order_of_mean); },
           std::plus<double>()) /
       total_area;
-  const double least = alpha > 0. && mean_power > 0.
-                           ? settings.least_curvature * std::pow(mean_power, 1. / alpha)
-                           : 1.;
+  const double least =
+      mean_power > 0. ? settings.least_curvature * std::pow(mean_power, 1. / order_of_mean) : 1.;
   for_each_index<ConcurrencyTag>(0, ranges,
                                  [&](std::size_t i) {
     range_density[i] = std::pow(curvature[i] * curvature[i] + least * least, alpha / 2.);

@@ -73,7 +73,7 @@ Distinct_samples simplify_adaptively(Cloud cloud, std::unique_ptr<Neighbor_searc
         distinct, std::size_t(0), [&](std::size_t i) { return std::size_t(is_outlier[i]); },
         std::plus<std::size_t>());
     // What most points are is no outlier, and each sample needs a point to start from.
-    if (outliers > 0 && distinct - outliers >= (std::max)(number_of_samples, distinct / 2))
+    if (outliers > 0 && distinct - outliers >= (std::max)(number_of_samples, (distinct + 1) / 2))
     {
       search.reset();
       const std::vector<std::size_t> kept = indices_where<ConcurrencyTag>(
