@@ -335,11 +335,51 @@ TEST(Cloud, selects_duplicates_only_when_it_must)
   EXPECT_EQ(many[29], 29u);
 }
 
+TEST(Surface_variation, is_not_changed_by_a_far_point)
+{
+  std::vector<Point> points = surfaces::sphere(5000, 24);
+  const double expected = variation_at_first(points, 16);
+  ASSERT_GT(expected, 0.);
+  for (double far : {1e3, 1e9, 1e18, 1e40})
+  {
+    points.resize(5000);
+    points.emplace_back(far, far, far);
+    EXPECT_NEAR(variation_at_first(points, 16) / expected, 1., 1e-9) << far;
+  }
+}
+
+TEST(Box_of_most_points, leaves_out_what_is_far_only)
+{
+  CGAL::Random random(25);
+  std::vector<Point> points;
+  for (int i = 0; i < 10000; ++i)
+    points.emplace_back(random.uniform_real(0., 1.), random.uniform_real(0., 1.), 0.);
+  const auto box_of = [&]
+  { return box_of_most_points(points, CGAL::bbox_3(points.begin(), points.end())); };
+  EXPECT_EQ(box_of(), CGAL::bbox_3(points.begin(), points.end()));
+  points.emplace_back(50., 0., 0.);
+  EXPECT_EQ(box_of().xmax(), 50.);
+  points.emplace_back(500., 0., 0.);
+  // twice as large as from 0.05 to 0.95
+  EXPECT_NEAR(box_of().xmin(), -0.4, 0.03);
+  EXPECT_NEAR(box_of().xmax(), 1.4, 0.03);
+  EXPECT_EQ(box_of().zmax(), 0.);
+  // a tenth of the points elsewhere is not a few
+  for (int i = 0; i < 1200; ++i)
+    points.emplace_back(500., 0., 0.);
+  EXPECT_EQ(box_of().xmax(), 500.);
+  // where all others coincide, there is no other size
+  points.assign(1000, Point(1., 2., 3.));
+  points.emplace_back(500., 0., 0.);
+  EXPECT_EQ(box_of().xmax(), 500.);
+}
+
 TEST(Frame, has_a_diagonal_near_one_for_any_unit)
 {
   for (double scale : {1e-300, 1e-6, 1., 1e6, 1e300})
   {
-    const Frame frame(CGAL::Bbox_3(-scale, 0., 0., scale, 0., 0.));
+    const CGAL::Bbox_3 box(-scale, 0., 0., scale, 0., 0.);
+    const Frame frame(box, box);
     const double diagonal = frame.length_to_frame(2. * scale);
     EXPECT_GE(diagonal, 0.5);
     EXPECT_LT(diagonal, 1.);
@@ -347,7 +387,8 @@ TEST(Frame, has_a_diagonal_near_one_for_any_unit)
   }
   // longer than any number
   const double most = (std::numeric_limits<double>::max)();
-  const Frame frame(CGAL::Bbox_3(-most, -most, -most, most, most, most));
+  const CGAL::Bbox_3 largest(-most, -most, -most, most, most, most);
+  const Frame frame(largest, largest);
   const Point corner = frame.to_frame(most, most, most);
   EXPECT_GE(corner.x(), 0.5 / (2. * std::sqrt(3.)));
   EXPECT_LT(corner.x(), 1. / (2. * std::sqrt(3.)));

@@ -19,6 +19,7 @@
 #include <functional>
 #include <iterator>
 #include <limits>
+#include <set>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -677,6 +678,28 @@ TEST_P(Both_methods, degenerate_count_equal_to_the_number_of_points)
 {
   check_degenerate("sphere", surfaces::sphere(1000, 21), {999, 1000});
   check_degenerate("square", surfaces::square(1000, 21), {999, 1000});
+}
+
+// as markers of invalid measurements may be
+TEST(Far_points, cost_the_others_no_digits)
+{
+  settings_of_the_paper = false;
+  for (double far : {1e3, 1e8, 1e12, 1e16, 1e30, 1e60})
+  {
+    std::vector<Point> points = surfaces::sphere(5000, 23);
+    points.emplace_back(far, far, far);
+    points.emplace_back(-far, 2. * far, 0.);
+    CGAL::Curvature_aware_simplification_report report;
+    const std::vector<Point> result = simplified(
+        points, np::number_of_output_points(500).simplification_report(std::ref(report)));
+    EXPECT_EQ(report.number_of_distinct_points, 5002u) << far;
+    EXPECT_EQ(report.number_of_outliers, 2u) << far;
+    EXPECT_LT(report.noise_level, 1e-3) << far;
+    ASSERT_EQ(result.size(), 500u);
+    for (const Point& p : result)
+      ASSERT_NEAR(std::sqrt((p - CGAL::ORIGIN).squared_length()), 1., 1e-3) << far;
+    EXPECT_EQ(std::set<Point>(result.begin(), result.end()).size(), 500u);
+  }
 }
 
 TEST_P(Both_methods, input_is_left_as_it_was)

@@ -8,6 +8,7 @@
 
 #include <CGAL/Curvature_aware_simplification_3/internal/Frame.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Neighbor_search.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/box_of_most_points.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/equal_points.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/loops.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/scan.h>
@@ -70,16 +71,17 @@ struct Sort_traits
 };
 
 // Merges duplicates and sorts along a Hilbert curve. There is at least one point; coordinates are
-// exact up to `relative_error` times the largest of them. O(n log n)
+// exact up to `relative_error` times the largest of them, a few far points aside. O(n log n)
 template <typename ConcurrencyTag>
 Cloud make_cloud(std::vector<Point> coordinates, double relative_error)
 {
   const std::size_t n = coordinates.size();
   const Bbox_3 box = reduce_indices<ConcurrencyTag>(
       n, Bbox_3(), [&](std::size_t i) { return coordinates[i].bbox(); }, std::plus<Bbox_3>());
-  const Frame frame(box);
+  const Bbox_3 most = box_of_most_points(coordinates, box);
+  const Frame frame(box, most);
   const double largest_coordinate =
-      (std::max)({-box.xmin(), -box.ymin(), -box.zmin(), box.xmax(), box.ymax(), box.zmax()});
+      (std::max)({-most.xmin(), -most.ymin(), -most.zmin(), most.xmax(), most.ymax(), most.zmax()});
   for_each_index<ConcurrencyTag>(0, n,
                                  [&](std::size_t i)
                                  {

@@ -16,16 +16,17 @@ namespace CGAL {
 namespace Curvature_aware_simplification_3 {
 namespace internal {
 
-// The coordinate frame of the computation: the input's bounding box is centered at the origin and
-// its diagonal has a length in [0.5, 1). So squares neither overflow nor underflow for any unit,
+// The coordinate frame of the computation: most of the points are around the origin, and the diagonal of
+// the bounding box has a length in [0.5, 1). So squares neither overflow nor underflow for any unit,
 // and coordinates far from the origin, as in UTM, lose no digits in differences and products. The
 // scale is a power of two, hence exact.
 class Frame
 {
 public:
-  explicit Frame(const Bbox_3& box)
-    : m_center((box.xmin() / 2. + box.xmax() / 2.), (box.ymin() / 2. + box.ymax() / 2.),
-               (box.zmin() / 2. + box.zmax() / 2.))
+  // `most` is a box that holds most of the points
+  Frame(const Bbox_3& box, const Bbox_3& most)
+    : m_center((most.xmin() / 2. + most.xmax() / 2.), (most.ymin() / 2. + most.ymax() / 2.),
+               (most.zmin() / 2. + most.zmax() / 2.))
   {
     // std::hypot, and quarters: the plain formulas overflow for coordinates above 1e154
     const double quarter_diagonal =

@@ -1,0 +1,73 @@
+// Copyright (c) 2026 The authors of Curvature_aware_simplification_3.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_BOX_OF_MOST_POINTS_H
+#define CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_BOX_OF_MOST_POINTS_H
+
+#include <CGAL/Curvature_aware_simplification_3/internal/Neighbor_search.h>
+
+#include <CGAL/Bbox_3.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Curvature_aware_simplification_3 {
+namespace internal {
+
+// Halves first: the difference of the coordinates may overflow.
+inline double half_of_longest_side(const Bbox_3& box)
+{
+  return (std::max)({box.xmax() / 2. - box.xmin() / 2., box.ymax() / 2. - box.ymin() / 2.,
+                     box.zmax() / 2. - box.zmin() / 2.});
+}
+
+// Twice the box from the 5th to the 95th percentile of each coordinate of every `step`-th point. O(n)
+inline Bbox_3 twice_the_middle_box(const std::vector<Point>& points, std::size_t step)
+{
+  double lower[3], upper[3];
+  std::vector<double> values;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    values.clear();
+    for (std::size_t i = 0; i < points.size(); i += step)
+      values.push_back(points[i][axis]);
+    const auto outside = static_cast<std::ptrdiff_t>(values.size() / 20);
+    std::nth_element(values.begin(), values.begin() + outside, values.end());
+    const double low = values[static_cast<std::size_t>(outside)];
+    std::nth_element(values.begin(), values.end() - 1 - outside, values.end());
+    const double high = *(values.end() - 1 - outside);
+    const double center = low / 2. + high / 2., half = high / 2. - low / 2.;
+    lower[axis] = center - 2. * half;
+    upper[axis] = center + 2. * half;
+  }
+  return Bbox_3(lower[0], lower[1], lower[2], upper[0], upper[1], upper[2]);
+}
+
+// A box that holds most of the points, if that of all, `box`, is a hundred times as large: a few points
+// that are so far away would otherwise decide over the precision of all. `box` in all other cases.
+inline Bbox_3 box_of_most_points(const std::vector<Point>& points, const Bbox_3& box)
+{
+  constexpr double far = 100.;
+  // Some points tell, nearly always, that there are none. To be independent of the order of the points, the
+  // answer must not depend on the choice of these.
+  constexpr std::size_t probes = 1000;
+  constexpr double clearly_not_far = 10.;
+
+  const double size = half_of_longest_side(box);
+  const Bbox_3 estimate = twice_the_middle_box(points, points.size() / probes + 1);
+  if (half_of_longest_side(estimate) * clearly_not_far > size)
+    return box;
+  const Bbox_3 most = twice_the_middle_box(points, 1);
+  const double size_of_most = half_of_longest_side(most);
+  return size_of_most > 0. && size_of_most * far < size ? most : box;
+}
+
+} // namespace internal
+} // namespace Curvature_aware_simplification_3
+} // namespace CGAL
+
+#endif // CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_BOX_OF_MOST_POINTS_H
