@@ -16,8 +16,9 @@ namespace CGAL {
 \brief What `CGAL::curvature_aware_simplify_point_set()` found in its input and did.
 
 Pass an object with the named parameter `simplification_report`, wrapped in `std::ref`. It is filled
-when the function succeeds. What is not measured is 0: if all distinct points are returned as they are, that
-is the spacing, the outliers and the noise. Lengths are in the unit of the input, times in seconds of wall time.
+when the function succeeds. What is not measured is 0: if all distinct points are returned as they are,
+that is the spacing, the outliers and the noise. Lengths are in the unit of the input, times in seconds
+of wall time.
 */
 struct Curvature_aware_simplification_report
 {

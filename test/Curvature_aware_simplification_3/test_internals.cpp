@@ -335,6 +335,14 @@ TEST(Cloud, selects_duplicates_only_when_it_must)
   EXPECT_EQ(many[29], 29u);
 }
 
+TEST(Surface_variation, of_more_neighbors_than_there_are_takes_all)
+{
+  const std::vector<Point> points = surfaces::sphere(50, 26);
+  const double expected = variation_at_first(points, 49);
+  EXPECT_EQ(variation_at_first(points, 50), expected);
+  EXPECT_EQ(variation_at_first(points, (std::numeric_limits<unsigned int>::max)()), expected);
+}
+
 TEST(Surface_variation, is_not_changed_by_a_far_point)
 {
   std::vector<Point> points = surfaces::sphere(5000, 24);
@@ -364,6 +372,10 @@ TEST(Box_of_most_points, leaves_out_what_is_far_only)
   EXPECT_NEAR(box_of().xmin(), -0.4, 0.03);
   EXPECT_NEAR(box_of().xmax(), 1.4, 0.03);
   EXPECT_EQ(box_of().zmax(), 0.);
+  // too far to be of use
+  points.emplace_back(1e200, 0., 0.);
+  EXPECT_EQ(box_of().xmax(), 1e200);
+  points.pop_back();
   // a tenth of the points elsewhere is not a few
   for (int i = 0; i < 1200; ++i)
     points.emplace_back(500., 0., 0.);

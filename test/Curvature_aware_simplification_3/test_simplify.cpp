@@ -684,7 +684,7 @@ TEST_P(Both_methods, degenerate_count_equal_to_the_number_of_points)
 TEST(Far_points, cost_the_others_no_digits)
 {
   settings_of_the_paper = false;
-  for (double far : {1e3, 1e8, 1e12, 1e16, 1e30, 1e60})
+  for (double far : {1e3, 1e8, 1e16, 1e30, 1e139})
   {
     std::vector<Point> points = surfaces::sphere(5000, 23);
     points.emplace_back(far, far, far);

@@ -83,16 +83,15 @@ inline void collect_neighbors(const Surface_fit& fit, const Point& x, std::size_
     expected_neighbors =
         static_cast<std::size_t>((std::min)(ratio * ratio * static_cast<double>(smallest), 1e9));
   }
-  // the ball is not searched if it holds more anyway
-  const bool is_searched = expected_neighbors < 2 * largest;
-  if (is_searched)
+  if (expected_neighbors < 2 * largest) // otherwise the ball holds more anyway
   {
     neighborhood.collect_within(fit.search, x, wanted_radius);
-    if (neighborhood.size() >= smallest && neighborhood.size() <= largest)
+    if (neighborhood.size() < smallest)
+      neighborhood.collect(fit.search, x, smallest);
+    if (neighborhood.size() <= largest)
       return;
   }
-  neighborhood.collect(fit.search, x,
-                       is_searched && neighborhood.size() < smallest ? smallest : largest);
+  neighborhood.collect(fit.search, x, largest);
 }
 
 inline void collect_neighbors(const Surface_fit& fit, const Point& x,
