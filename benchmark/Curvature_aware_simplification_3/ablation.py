@@ -6,7 +6,7 @@ import math
 from comparison import Case
 from page import write_table
 
-DEGRADATIONS = ["clean", "sparse", "noise:0.2", "outliers:5", "density:10"]
+DEGRADATIONS = ["clean", "sparse", "noise:0.2", "outliers:5", "density:10", "uneven_noise:0.2"]
 IDEAS = [
     ("uniform density", "adaptivity=0"),
     ("curvature in balls of half a spacing", "curvature_radius=0.5"),
@@ -22,6 +22,7 @@ IDEAS = [
     ("samples may cross borders", "keep_borders=0"),
     ("outliers not looked for", "find_outliers=0"),
     ("noise not measured", "measure_noise=0"),
+    ("the same noise everywhere", "noise_by_place=0"),
     ("points not smoothed first", "smooth_points=0"),
     ("balls of fits not moved to foot points", "moves_to_foot_point=0"),
     ("narrowest fits only", "denoise=0"),
@@ -62,7 +63,7 @@ def ablation(comparison, igea, meshes, output):
         results = list(pool.map(measured, tasks))
     found = {(degradation, case.source, seed, idea): result
              for (degradation, case, seed, idea, _), result in zip(tasks, results)}
-    rows = [["without", "measure", *(d.replace(":", " ") for d in DEGRADATIONS), "all"]]
+    rows = [["without", "measure", *(d.replace(":", " ").replace("_", " ") for d in DEGRADATIONS), "all"]]
     for idea, _ in IDEAS:
         for measure, title in MEASURES:
             logarithms = {d: [] for d in DEGRADATIONS}

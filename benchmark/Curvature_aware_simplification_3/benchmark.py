@@ -20,7 +20,8 @@ from paper_figures import Figures
 from scaling import scaling
 
 HERE = pathlib.Path(__file__).resolve().parent
-DEGRADATIONS = ["clean", "noise:0.2", "outliers:5", "density:10", "hole:10", "duplicates:100"]
+DEGRADATIONS = ["clean", "noise:0.2", "outliers:5", "density:10", "uneven_noise:0.2", "hole:10",
+                "duplicates:100"]
 ANALYTIC = ["sphere", "torus", "ellipsoid", "rounded_box", "wavy_patch"]
 
 
@@ -78,11 +79,11 @@ def cases(mode, shared, meshes):
     result = []
     if igea.exists():
         result += [Case("Igea", igea, "clean", 13227), Case("Igea at 1 %", igea, "clean", 1343)]
-        result += [Case("Igea", igea, d, 13227) for d in DEGRADATIONS[1:4]]
+        result += [Case("Igea", igea, d, 13227) for d in DEGRADATIONS[1:5]]
     if mode == "igea":
         return result
     result += [Case("elephant", elephant, d, 10000, sample=100000) for d in DEGRADATIONS]
-    result += [Case(s, s, d, 4000, sample=80000) for s in ANALYTIC for d in DEGRADATIONS[:4]]
+    result += [Case(s, s, d, 4000, sample=80000) for s in ANALYTIC for d in DEGRADATIONS[:5]]
     result += [Case(s, shared / f"{s}.ply", "clean", percentage=5)
                for s in ("room_scan", "kinect_clutter", "terrain_utm")
                if (shared / f"{s}.ply").exists()]

@@ -33,7 +33,7 @@ class Case:
         return options
 
     def title(self):
-        return f"{self.name}, {self.degradation.replace(':', ' ')}"
+        return f"{self.name}, {self.degradation.replace(':', ' ').replace('_', ' ')}"
 
 
 class Comparison:

@@ -50,7 +50,7 @@ struct Stages
           CGAL::parameters::number_of_output_points(size / 10).number_of_iterations(1), size)),
       samples(distinct_samples(cloud, select_points<Tag>(cloud, features, parameters)).points),
       radius(radius_in_spacings * sample_spacing<Tag>(samples)),
-      fit{search, cloud.size(), 0.}
+      fit{search, cloud.size()}
   {}
 
   std::vector<Point> points;
@@ -141,8 +141,9 @@ void sampling_density(benchmark::State& state)
           {
     benchmark::DoNotOptimize(
         CGAL::Curvature_aware_simplification_3::internal::sampling_density<Tag>(
-            s.cloud.points, s.features.inverse_density, s.samples.size(), 2. / 3., 0.,
-            s.cloud.coordinate_error, Adaptive_settings(), Progress(no_callback)));
+            s.cloud.points, s.features.inverse_density, s.samples.size(), 2. / 3.,
+            uniform_noise(0., s.cloud.size()), s.cloud.coordinate_error, Adaptive_settings(),
+            Progress(no_callback)));
   });
 }
 

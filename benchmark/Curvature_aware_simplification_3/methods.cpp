@@ -215,6 +215,7 @@ Setting with_parameters(const std::string& parameters)
   };
   set("find_outliers", settings.find_outliers);
   set("measure_noise", settings.measure_noise);
+  set("noise_by_place", settings.noise_by_place);
   set("curvature_radius", settings.curvature_radius);
   set("least_curvature", settings.least_curvature);
   set("reach_of_repulsion", settings.reach_of_repulsion);

@@ -27,9 +27,9 @@ input:
 -# Outliers are found: points that few others have among their \f$k\f$ nearest neighbors, and that are
    in no layer. They have no influence on what follows, unless fewer than \f$N\f$ points, or than half
    of them, would be left: then none are taken for outliers.
--# The standard deviation \f$\sigma\f$ of the noise is estimated from what local quadrics leave. If it
-   is visible at the distance of the output points, the points are first smoothed, each by a fit to
-   its nearest.
+-# The standard deviation \f$\sigma\f$ of the noise is estimated, by place, from what local quadrics
+   leave. Where it is visible at the distance of the output points, the points are first smoothed, each by
+   a fit to its nearest.
 -# The density of the output follows the curvature \f$c\f$ at the distance of the output points, as
    \f$c^{\alpha}\f$, where \f$\sigma\f$ does not explain it, and not the density of the input.
 -# Samples are selected at random with this density, evenly along a space-filling curve.

@@ -71,6 +71,16 @@ TEST(Degradations, do_what_they_say)
     squares += CGAL::squared_distance(points[i], noisy[i]) / 3. / 20000.;
   EXPECT_NEAR(std::sqrt(squares) / (0.002 * unit), 1., 0.02);
 
+  // on a sphere, x is uniform: so is the noise between 0.2 and 1.8 times the middle
+  const Points uneven = degraded(points, "uneven_noise:0.2", 1);
+  double left = 0., right = 0.;
+  for (std::size_t i = 0; i < points.size(); ++i)
+    (points[i].x() < -0.8  ? left
+     : points[i].x() > 0.8 ? right
+                           : squares) += CGAL::squared_distance(points[i], uneven[i]) / 3. / 2000.;
+  EXPECT_NEAR(std::sqrt(left) / (0.002 * unit), 0.2 + 1.6 * 0.05, 0.05);
+  EXPECT_NEAR(std::sqrt(right) / (0.002 * unit), 0.2 + 1.6 * 0.95, 0.08);
+
   EXPECT_EQ(degraded(points, "outliers:5", 1).size(), 21000u);
   EXPECT_EQ(degraded(points, "duplicates:50", 1).size(), 30000u);
 

@@ -23,14 +23,31 @@ inline double normal_deviate(CGAL::Random& random)
   return std::sqrt(-2. * std::log(u)) * std::cos(random.uniform_real(0., 2. * CGAL_PI));
 }
 
+// each coordinate so
+inline Vector normal_vector(CGAL::Random& random)
+{
+  const double x = normal_deviate(random), y = normal_deviate(random);
+  return Vector(x, y, normal_deviate(random));
+}
+
 // Gaussian noise of standard deviation `sigma` in each coordinate
 inline Points with_noise(Points points, double sigma, CGAL::Random& random)
 {
   const double length = sigma * diagonal(points);
   for (Point& p : points)
+    p = p + length * normal_vector(random);
+  return points;
+}
+
+// Noise that grows along x, as with the distance from a scanner: from 0.2 to 1.8 times `sigma`
+inline Points with_uneven_noise(Points points, double sigma, CGAL::Random& random)
+{
+  const CGAL::Bbox_3 box = CGAL::bbox_3(points.begin(), points.end());
+  const double length = sigma * diagonal(points);
+  for (Point& p : points)
   {
-    const double x = normal_deviate(random), y = normal_deviate(random);
-    p = p + length * Vector(x, y, normal_deviate(random));
+    const double here = length * (0.2 + 1.6 * (p.x() - box.xmin()) / box.x_span());
+    p = p + here * normal_vector(random);
   }
   return points;
 }
@@ -90,7 +107,8 @@ inline Points with_duplicates(const Points& points, double share, CGAL::Random& 
   return result;
 }
 
-// By name: clean, noise:PERCENT, outliers:PERCENT, density:FACTOR, hole:PERCENT, duplicates:PERCENT
+// By name: clean, noise:PERCENT, uneven_noise:PERCENT, outliers:PERCENT, density:FACTOR, hole:PERCENT,
+// duplicates:PERCENT
 inline Points degraded(const Points& points, const std::string& degradation, unsigned int seed)
 {
   const std::size_t colon = degradation.find(':');
@@ -101,6 +119,8 @@ inline Points degraded(const Points& points, const std::string& degradation, uns
     return points;
   if (name == "noise")
     return with_noise(points, value / 100., random);
+  if (name == "uneven_noise")
+    return with_uneven_noise(points, value / 100., random);
   if (name == "outliers")
     return with_outliers(points, value / 100., random);
   if (name == "density")

@@ -19,6 +19,8 @@ struct Adaptive_settings
   // Outliers get no weight, noise is measured; without, there is taken to be none.
   bool find_outliers = true;
   bool measure_noise = true;
+  // Each range of the Hilbert curve has the noise of its place; without, all have the median.
+  bool noise_by_place = true;
 
   // With noise, points are first smoothed one by one.
   bool smooth_points = true;
@@ -59,7 +61,7 @@ struct Adaptive_settings
   // With half as many, the error with noise is 6 % larger (ablation).
   std::size_t points_of_widest_fit = 578;
   // What narrower fits have missed of the shape, over what the next wider one misses beyond: 1 / (2^(3/2) -
-  // 1) if shape grows like the 3/2 power of the number of neighbors, as in noise_level.h. With 0, the steps
+  // 1) if shape grows like the 3/2 power of the number of neighbors, as a cubic does. With 0, the steps
   // to wider fits are those of a Wiener filter, which go too far where shape is fine, as on scales and
   // hair, and are as good elsewhere.
   double missed_shape = 0.547;

@@ -104,7 +104,15 @@ void denoise_samples(std::vector<Surface_sample>& samples, const Surface_fit& fi
   for_each_index<ConcurrencyTag>(samples.size(), progress,
                                  [&](std::size_t i)
                                  {
-    fits[i] = fits_of_all_sizes(fit, samples[i]);
+    Surface_sample& x = samples[i];
+    const Surface_fit here = fit.with(x.noise);
+    if (x.noise.level > 0.)
+      fits[i] = fits_of_all_sizes(here, x);
+    else
+    {
+      x.place(here, x.point, x.normal, rounds_to_stay);
+      fits[i].point = x.point;
+    }
     points[i] = fits[i].point;
   });
 

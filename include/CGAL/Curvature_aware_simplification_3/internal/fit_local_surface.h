@@ -7,7 +7,9 @@
 #define CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_FIT_LOCAL_SURFACE_H
 
 #include <CGAL/Curvature_aware_simplification_3/internal/Adaptive_settings.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/Noise_levels.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/fit_quadric.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/median.h>
 
 #include <algorithm>
 #include <cmath>
@@ -23,11 +25,14 @@ struct Surface_fit
 {
   const Neighbor_search& search;
   std::size_t number_of_points; // of the search
-  double noise;                 // standard deviation sigma of their noise
-  double independent_noise;     // with which a fit would err as much: larger if points share noise
+  Noise noise = Noise();        // of the points near the place that is fitted
   Adaptive_settings settings = Adaptive_settings();
 
-  bool points_share_noise() const { return noise < independent_noise; }
+  Surface_fit with(const Noise& noise_there) const
+  {
+    return {search, number_of_points, noise_there, settings};
+  }
+  bool points_share_noise() const { return noise.level < noise.independent_level; }
 };
 
 // 18 neighbors, two rings around a point: three for each coefficient of a quadric
@@ -57,11 +62,9 @@ inline double residual_spread(const Neighborhood& neighborhood, const Local_surf
   residuals.clear();
   for (const Neighborhood::Neighbor& neighbor : neighborhood.neighbors)
     residuals.push_back(std::abs(surface.residual(neighbor.position)));
-  const auto median = residuals.begin() + static_cast<std::ptrdiff_t>(residuals.size() / 2);
-  std::nth_element(residuals.begin(), median, residuals.end());
   const double n = static_cast<double>(residuals.size());
   // 1.4826: standard deviation over median of |x| for Gaussian x; the quadric used up 5 + 1
-  return 1.4826 * *median * std::sqrt(n / (std::max)(n - 5., 1.));
+  return 1.4826 * median(residuals) * std::sqrt(n / (std::max)(n - 5., 1.));
 }
 
 // Collects the neighbors of x that a fit needs: `smallest` nearest, or all in the ball that noise asks
@@ -97,7 +100,7 @@ inline void collect_neighbors(const Surface_fit& fit, const Point& x, std::size_
 inline void collect_neighbors(const Surface_fit& fit, const Point& x,
                               std::size_t expected_neighbors, Neighborhood& neighborhood)
 {
-  collect_neighbors(fit, x, smallest_neighborhood, smallest_radius_in_noise * fit.noise,
+  collect_neighbors(fit, x, smallest_neighborhood, smallest_radius_in_noise * fit.noise.level,
                     expected_neighbors, neighborhood);
 }
 
@@ -110,7 +113,7 @@ inline double error_of_fit(const Surface_fit& fit, double error)
 {
   if (!(fit.points_share_noise() && error > 0.))
     return error;
-  const double ratio = error / fit.noise;
+  const double ratio = error / fit.noise.level;
   return error / std::sqrt(std::sqrt(1. + ratio * ratio * ratio * ratio));
 }
 
@@ -122,7 +125,7 @@ inline bool fit_quadric(const Surface_fit& fit, const Neighborhood& neighborhood
                         Local_surface& surface)
 {
   Local_surface fitted = surface;
-  if (!fit_quadric(neighborhood, fit.independent_noise, fitted) ||
+  if (!fit_quadric(neighborhood, fit.noise.independent_level, fitted) ||
       std::abs(fitted.c[0]) > 2. * neighborhood.radius)
     return false;
   surface = fitted;
@@ -133,7 +136,7 @@ inline bool fit_quadric(const Surface_fit& fit, const Neighborhood& neighborhood
 // Whether the ball is about as narrow as the noise allows
 inline bool is_noisy(const Surface_fit& fit, const Neighborhood& neighborhood)
 {
-  return neighborhood.radius <= 2. * smallest_radius_in_noise * fit.noise;
+  return neighborhood.radius <= 2. * smallest_radius_in_noise * fit.noise.level;
 }
 
 // Rounds of reweighting: for a surface that a sample only moves on, the first leaves out outliers and
@@ -192,7 +195,7 @@ inline Local_surface fit_local_surface(const Surface_fit& fit, const Point& x, c
       return surface;
     for (int round = 0; round < rounds; ++round)
     {
-      fitted.spread = (std::max)(residual_spread(neighborhood, fitted), fit.noise);
+      fitted.spread = (std::max)(residual_spread(neighborhood, fitted), fit.noise.level);
       if (!(fitted.spread > 0.))
         break;
       weight_by_distance();
@@ -231,7 +234,7 @@ inline bool widen(const Surface_fit& fit, const Neighborhood& wide, double radiu
   // A narrow fit to smoothed points follows their noise, and shows less of it than there is: with 1.5 to
   // 3 times what is left, the results are the same, and with less, points of the same sheet are lost.
   const double spread =
-      fit.points_share_noise() ? (std::max)(surface.spread, 2. * fit.noise) : surface.spread;
+      fit.points_share_noise() ? (std::max)(surface.spread, 2. * fit.noise.level) : surface.spread;
   for (Neighborhood::Neighbor& neighbor : neighborhood.neighbors)
     neighbor.weight *=
         robust_weight(surface.residual(neighbor.position), spread, residual_scale_of_wider);

@@ -22,20 +22,32 @@ namespace CGAL {
 namespace Curvature_aware_simplification_3 {
 namespace internal {
 
-// The normal of the weighted least-squares plane
-inline Vector plane_normal(const Neighborhood& neighborhood)
+inline Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen_solver(const Covariance_sums& sums,
+                                                                   int options)
 {
-  Covariance_sums sums;
-  for (const Neighborhood::Neighbor& neighbor : neighborhood.neighbors)
-    sums.add(neighbor.position, neighbor.weight);
   const std::array<double, 6> c = sums.covariance();
   Eigen::Matrix3d covariance;
   covariance << c[0], c[1], c[2], //
       c[1], c[3], c[4],           //
       c[2], c[4], c[5];
   Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver;
-  solver.computeDirect(covariance);
-  const Eigen::Vector3d n = solver.eigenvectors().col(0);
+  solver.computeDirect(covariance, options);
+  return solver;
+}
+
+// The eigenvalues of the covariance matrix, in increasing order
+inline Eigen::Vector3d eigenvalues(const Covariance_sums& sums)
+{
+  return eigen_solver(sums, Eigen::EigenvaluesOnly).eigenvalues();
+}
+
+// The normal of the weighted least-squares plane
+inline Vector plane_normal(const Neighborhood& neighborhood)
+{
+  Covariance_sums sums;
+  for (const Neighborhood::Neighbor& neighbor : neighborhood.neighbors)
+    sums.add(neighbor.position, neighbor.weight);
+  const Eigen::Vector3d n = eigen_solver(sums, Eigen::ComputeEigenvectors).eigenvectors().col(0);
   const double length = n.norm();
   // the closed formula fails where all neighbors coincide: any direction is as good then
   return length > 0.5 ? Vector(n.x() / length, n.y() / length, n.z() / length) : Vector(0., 0., 1.);

@@ -114,7 +114,7 @@ void move_to_corners(std::vector<Surface_sample>& samples, const Sample_neighbor
   std::vector<std::optional<Target>> targets(samples.size());
   for_each_index<ConcurrencyTag>(samples.size(), progress,
                                  [&](std::size_t i) {
-    targets[i] = nearest_corner(samples[i], neighbors.of(i), points, fit);
+    targets[i] = nearest_corner(samples[i], neighbors.of(i), points, fit.with(samples[i].noise));
   });
   move_to_targets<ConcurrencyTag>(samples, targets, neighbors, one_for_each_corner);
 }

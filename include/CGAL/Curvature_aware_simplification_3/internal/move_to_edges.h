@@ -31,7 +31,7 @@ namespace internal {
 // causes kappa = sigma^2 / (r^2 / 2) in a disk of radius r.
 template <typename ConcurrencyTag>
 std::vector<std::uint8_t> bent_points(const Features& features, std::size_t number_of_neighbors,
-                                      double noise)
+                                      const Noise_levels& noise)
 {
   // That of the flattest fold that counts, 45 degrees between the normals, in the middle of a disk:
   // lambda_0 = (1/4 - 16 / (9 pi^2)) r^2 sin^2 (45 / 2 degrees). Of 90 degrees it is 0.08.
@@ -43,10 +43,11 @@ std::vector<std::uint8_t> bent_points(const Features& features, std::size_t numb
                                  {
     const double squared_radius =
         features.inverse_density[i] * static_cast<double>(number_of_neighbors);
-    const double from_noise = 2. * noise * noise;
-    is_bent[i] =
-        features.curvature[i] * squared_radius > least_curvature * squared_radius + from_noise ? 1
-                                                                                               : 0;
+    const double sigma = noise.at(i).level;
+    is_bent[i] = features.curvature[i] * squared_radius >
+                         least_curvature * squared_radius + 2. * sigma * sigma
+                     ? 1
+                     : 0;
   });
   return is_bent;
 }
@@ -108,13 +109,14 @@ std::optional<Target> nearest_edge_point(const Surface_sample& x, const Neighbor
   if (squared_distance_to_bent > reach * reach * x.spacing * x.spacing)
     return std::nullopt;
 
-  const double radius = radius_in_noise * fit.noise / x.surface.radius;
+  const double radius = radius_in_noise * fit.noise.level / x.surface.radius;
   const double wanted = static_cast<double>(x.surface.neighbors) * radius * radius;
   const std::size_t k = static_cast<std::size_t>((std::min)((std::max)(wanted, fewest), most));
   static thread_local Neighborhood neighborhood;
   neighborhood.collect(fit.search, center, (std::min)(k, fit.number_of_points));
   Fold fold;
-  if (!fit_fold(neighborhood, (std::max)(flatness * neighborhood.radius, 3. * fit.noise), fold))
+  if (!fit_fold(neighborhood, (std::max)(flatness * neighborhood.radius, 3. * fit.noise.level),
+                fold))
     return std::nullopt;
   const Vector from_center = x.point - center;
   const Vector way = fold.way_to_edge(from_center);
@@ -145,8 +147,10 @@ void move_to_edges(std::vector<Surface_sample>& samples, const Sample_neighbors&
   const std::vector<Point> points = points_of<ConcurrencyTag>(samples);
   std::vector<std::optional<Target>> targets(samples.size());
   for_each_index<ConcurrencyTag>(samples.size(), progress,
-                                 [&](std::size_t i) {
-    targets[i] = nearest_edge_point(samples[i], neighbors.of(i), points, fit, bent_search);
+                                 [&](std::size_t i)
+                                 {
+    targets[i] = nearest_edge_point(samples[i], neighbors.of(i), points, fit.with(samples[i].noise),
+                                    bent_search);
   });
   move_to_targets<ConcurrencyTag>(samples, targets, neighbors, too_close);
 }

@@ -28,6 +28,7 @@ struct Surface_sample
   Surface_border border;
   double a = 0., b = 0.; // position on the surface
   double spacing = 0.;   // wanted distance to its neighbors, s
+  Noise noise;           // of the input around
   Point point = Point(0., 0., 0.);
   Vector normal = Vector(0., 0., 1.);
   Vector last_move = Vector(0., 0., 0.); // in the last iteration
@@ -127,8 +128,8 @@ inline void move_on_surface(Surface_sample& x, Vector step, const Surface_fit& f
   }
   // beyond the fit, it is followed for half its radius at most
   const double part = (std::min)(1., 1.5 * x.surface.radius / distance);
-  x.place(fit, x.surface.point(part * a, part * b), x.surface.normal(part * a, part * b),
-          rounds_to_move);
+  x.place(fit.with(x.noise), x.surface.point(part * a, part * b),
+          x.surface.normal(part * a, part * b), rounds_to_move);
 }
 
 // How many times as long as the repulsion weight says the steps of an iteration are: `first` in the first

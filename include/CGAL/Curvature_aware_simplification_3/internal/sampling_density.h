@@ -8,6 +8,7 @@
 
 #include <CGAL/Curvature_aware_simplification_3/internal/Adaptive_settings.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Neighbor_search.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/Noise_levels.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Progress.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/loops.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/surface_pieces.h>
@@ -58,10 +59,11 @@ double area_of_surface(const std::vector<double>& inverse_density)
 // with a radius R of 1.5 spacings: the curvature is sqrt(lambda_0) / R^2 up to a constant. From
 // lambda_0, sigma^2 is taken off for the noise. Balls are no smaller than 3 sigma.
 template <typename ConcurrencyTag>
-Sampling_density
-sampling_density(const std::vector<Point>& points, const std::vector<double>& inverse_density,
-                 std::size_t number_of_samples, double alpha, double noise, double coordinate_error,
-                 const Adaptive_settings& settings, const Progress& progress)
+Sampling_density sampling_density(const std::vector<Point>& points,
+                                  const std::vector<double>& inverse_density,
+                                  std::size_t number_of_samples, double alpha,
+                                  const Noise_levels& noise, double coordinate_error,
+                                  const Adaptive_settings& settings, const Progress& progress)
 {
   // Not more than one sample for two input points, unless that many are asked for
   constexpr double densest = 0.5;
@@ -79,7 +81,6 @@ sampling_density(const std::vector<Point>& points, const std::vector<double>& in
   const double number = static_cast<double>(number_of_samples);
   const double total_area = area_of_surface<ConcurrencyTag>(inverse_density);
   const double spacing = lattice_spacing(number / total_area);
-  const double radius = (std::max)(settings.curvature_radius * spacing, 3. * noise);
 
   // Ranges of the Hilbert curve, about one for each sample, represented by the point in its middle. Each
   // is two pieces, unless these would be of fewer than two points, which saves nothing.
@@ -99,16 +100,19 @@ sampling_density(const std::vector<Point>& points, const std::vector<double>& in
     const double pieces_per_area = static_cast<double>(pieces_in_range) / range_area[i];
     const double points_in_piece =
         static_cast<double>(begin(i + 1) - begin(i)) / static_cast<double>(pieces_in_range);
+    const std::size_t middle = (begin(i) + begin(i + 1)) / 2;
+    const double sigma = noise.at(middle).level;
+    const double radius = (std::max)(settings.curvature_radius * spacing, 3. * sigma);
     const double wanted = (std::max)({CGAL_PI * radius * radius * pieces_per_area, fewest_pieces,
                                       fewest_points / points_in_piece});
     const std::size_t k =
         (std::min)(static_cast<std::size_t>((std::min)(wanted, most_pieces)), pieces.center.size());
-    const Deviation deviation = deviation_from_plane(
-        pieces, piece_search, points[(begin(i) + begin(i + 1)) / 2], k, coordinate_error);
+    const Deviation deviation =
+        deviation_from_plane(pieces, piece_search, points[middle], k, coordinate_error);
     // beyond the noise, and two standard deviations of what the points say of it, so that noise alone is
     // taken for flat
     const double signal =
-        deviation.squared_height - noise * noise * (1. + 2. * std::sqrt(2. / deviation.number));
+        deviation.squared_height - sigma * sigma * (1. + 2. * std::sqrt(2. / deviation.number));
     // sqrt(lambda_0) / r^2 up to a constant
     curvature[i] = deviation.trace > 0. ? std::sqrt((std::max)(signal, 0.)) / deviation.trace : 0.;
     // On a border, samples stand for half a cell: the area counts twice, as that of the ball does, on

@@ -10,6 +10,7 @@
 #include <CGAL/Curvature_aware_simplification_3/internal/Neighbor_search.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/features.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/loops.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/median.h>
 
 #include <algorithm>
 #include <atomic>
@@ -44,9 +45,7 @@ inline double far_inverse_density(const std::vector<double>& inverse_density)
   std::vector<double> probes(number_of_probes);
   for (std::size_t i = 0; i < number_of_probes; ++i)
     probes[i] = inverse_density[i * inverse_density.size() / number_of_probes];
-  const auto median = probes.begin() + static_cast<std::ptrdiff_t>(number_of_probes / 2);
-  std::nth_element(probes.begin(), median, probes.end());
-  return far_radius * far_radius * *median;
+  return far_radius * far_radius * median(probes);
 }
 
 // O(n (log n + k)), but k-nearest-neighbor queries for a quarter of the points only, where these are

@@ -13,10 +13,10 @@
 #include <CGAL/Curvature_aware_simplification_3/internal/features.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/find_outliers.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/loops.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/measure_noise.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/move_to_corners.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/move_to_edges.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/move_to_targets.h>
-#include <CGAL/Curvature_aware_simplification_3/internal/noise_level.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/parameters.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/relax_on_surface.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/sampling_density.h>
@@ -89,7 +89,11 @@ Distinct_samples simplify_adaptively(Cloud cloud, std::unique_ptr<Neighbor_searc
   report.number_of_outliers = distinct - points.size();
   report.outliers_time = stopwatch.lap();
 
-  const double noise = settings.measure_noise ? noise_level<ConcurrencyTag>(points, *search) : 0.;
+  Noise_levels noise = settings.measure_noise ? measure_noise<ConcurrencyTag>(points, *search)
+                                              : uniform_noise(0., points.size());
+  if (!settings.noise_by_place)
+    noise = uniform_noise(noise.median(), points.size());
+  report.noise_level = cloud.frame.length_from_frame(noise.median());
   std::vector<std::uint8_t> is_bent = bent_points<ConcurrencyTag>(features, k, noise);
   features.curvature = std::vector<double>();
   report.noise_time = stopwatch.lap();
@@ -99,37 +103,40 @@ Distinct_samples simplify_adaptively(Cloud cloud, std::unique_ptr<Neighbor_searc
                       area_of_surface<ConcurrencyTag>(features.inverse_density));
   // The narrowest fits have an error of up to sigma / 2. More is worth its time only if that is
   // visible: beyond 1 % of the spacing.
-  const bool noise_is_visible = 0.5 * noise > 0.01 * mean_spacing;
-  Noise_left left{noise, noise};
-  if (settings.smooth_points && noise_is_visible)
+  noise.neglect_below(2. * 0.01 * mean_spacing);
+  const bool is_noisy = !noise.is_everywhere_zero();
+  if (settings.smooth_points && is_noisy)
   {
-    left = smooth_points<ConcurrencyTag>(points, features.inverse_density, is_bent, *search, noise,
-                                         number_of_samples, progress.part(0.3, 0.4));
+    noise = smooth_points<ConcurrencyTag>(points, features.inverse_density, is_bent, *search, noise,
+                                          number_of_samples, progress.part(0.3, 0.4));
     search.reset();
     search.reset(new Neighbor_search(points, ConcurrencyTag()));
   }
   report.smoothing_time = stopwatch.lap();
 
-  const Surface_fit fit{*search, points.size(), left.noise, left.independent_noise, settings};
+  const Surface_fit fit{*search, points.size(), Noise(), settings};
   std::vector<Surface_sample> samples(number_of_samples);
   std::vector<std::size_t> selected;
   {
     Sampling_density wanted = sampling_density<ConcurrencyTag>(
-        points, features.inverse_density, number_of_samples, parameters.adaptivity, left.noise,
+        points, features.inverse_density, number_of_samples, parameters.adaptivity, noise,
         cloud.coordinate_error, settings, progress.part(0.4, 0.5));
     features = Features();
     selected = select_along_curve<ConcurrencyTag>(std::move(wanted.weight), number_of_samples,
                                                   parameters.random_seed);
     for_each_index<ConcurrencyTag>(0, samples.size(),
-                                   [&](std::size_t i) {
+                                   [&](std::size_t i)
+                                   {
       samples[i].spacing = lattice_spacing(wanted.density[selected[i]]);
+      samples[i].noise = noise.at(selected[i]);
     });
   }
   report.selection_time = stopwatch.lap();
 
   for_each_index<ConcurrencyTag>(samples.size(), progress.part(0.5, 0.6),
-                                 [&](std::size_t i) {
-    samples[i].place(fit, points[selected[i]], NULL_VECTOR, rounds_to_move);
+                                 [&](std::size_t i)
+                                 {
+    samples[i].place(fit.with(samples[i].noise), points[selected[i]], NULL_VECTOR, rounds_to_move);
   });
   const Sample_neighbors neighbors =
       relax_on_surface<ConcurrencyTag>(samples, fit, parameters.number_of_iterations,
@@ -137,12 +144,14 @@ Distinct_samples simplify_adaptively(Cloud cloud, std::unique_ptr<Neighbor_searc
   report.relaxation_time = stopwatch.lap();
 
   const Progress final_progress = progress.part(0.85, 0.97);
-  if (settings.denoise && noise_is_visible)
+  if (settings.denoise && is_noisy)
     denoise_samples<ConcurrencyTag>(samples, fit, final_progress);
   else
     for_each_index<ConcurrencyTag>(samples.size(), final_progress,
-                                   [&](std::size_t i) {
-      samples[i].place(fit, samples[i].point, samples[i].normal, rounds_to_stay);
+                                   [&](std::size_t i)
+                                   {
+      samples[i].place(fit.with(samples[i].noise), samples[i].point, samples[i].normal,
+                       rounds_to_stay);
     });
   if (settings.move_to_edges)
   {
@@ -157,7 +166,6 @@ Distinct_samples simplify_adaptively(Cloud cloud, std::unique_ptr<Neighbor_searc
   const std::vector<Point> result = points_of<ConcurrencyTag>(samples);
   report.projection_time = stopwatch.lap();
 
-  report.noise_level = cloud.frame.length_from_frame(noise);
   report.output_spacing = cloud.frame.length_from_frame(mean_spacing);
   return {result, std::vector<std::size_t>(result.size(), 1)};
 }

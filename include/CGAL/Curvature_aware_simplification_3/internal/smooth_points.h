@@ -39,8 +39,10 @@ inline Smoothed_point smooth_point(const Surface_fit& fit, const Point& x,
                                    std::size_t expected_neighbors)
 {
   static thread_local Neighborhood neighborhood;
-  const Smoothed_point unchanged{x, fit.noise * fit.noise};
-  const double radius = smoothing_radius_in_noise * fit.noise;
+  const Smoothed_point unchanged{x, fit.noise.level * fit.noise.level};
+  if (fit.noise.level == 0.)
+    return unchanged;
+  const double radius = smoothing_radius_in_noise * fit.noise.level;
   collect_neighbors(fit, x, smoothing_neighborhood, radius, expected_neighbors, neighborhood);
   if (!(neighborhood.radius > 0.))
     return unchanged;
@@ -51,8 +53,8 @@ inline Smoothed_point smooth_point(const Surface_fit& fit, const Point& x,
   neighborhood.weight_by_distance();
   Local_surface surface;
   // further than 4 sigma, noise does not carry a point: it is on another sheet, or the fit is wrong
-  if (!fit_quadric_over_plane(neighborhood, fit.noise, surface) || !(surface.error < fit.noise) ||
-      !(std::abs(surface.c[0]) <= radius))
+  if (!fit_quadric_over_plane(neighborhood, fit.noise.level, surface) ||
+      !(surface.error < fit.noise.level) || !(std::abs(surface.c[0]) <= radius))
     return unchanged;
   const double variance = surface.error * surface.error;
   surface.move_to_foot_point();
@@ -75,25 +77,40 @@ std::size_t smoothing_step(const std::vector<double>& inverse_density, double no
   return static_cast<std::size_t>((std::max)(1., (std::min)(step, largest)));
 }
 
-// Standard deviation of the noise of smoothed points, and the one of independent noise with which as many
-// points would tell as much of a larger part of the surface
-struct Noise_left
+// The noise that is left of smoothed points: the mean of their variances, by range
+template <typename ConcurrencyTag>
+Noise_levels noise_left(const Noise_levels& noise, const std::vector<double>& variance,
+                        std::size_t step)
 {
-  double noise;
-  double independent_noise;
-};
+  Noise_levels left{noise.of_range, variance.size()};
+  for_each_index<ConcurrencyTag>(0, left.of_range.size(),
+                                 [&](std::size_t range)
+                                 {
+    Noise& here = left.of_range[range];
+    here.independent_level = here.level / std::sqrt(static_cast<double>(step));
+    const std::size_t begin = left.begin(range), end = left.begin(range + 1);
+    if (begin == end) // more ranges than points
+      return;
+    double sum = 0.;
+    for (std::size_t i = begin; i < end; ++i)
+      sum += variance[i];
+    here.level = std::sqrt(sum / static_cast<double>(end - begin));
+  });
+  return left;
+}
 
 // Moves the points onto local surfaces, so that less noise is left and later fits can be narrower: in
-// balls of 7 sigma, shape is lost. Thins points that are dense against the noise.
+// balls of 7 sigma, shape is lost. Thins points that are dense against the noise. Returns what is left of
+// it.
 template <typename ConcurrencyTag>
-Noise_left smooth_points(std::vector<Point>& points, std::vector<double>& inverse_density,
-                         std::vector<std::uint8_t>& is_bent, const Neighbor_search& search,
-                         double noise, std::size_t number_of_samples, const Progress& progress)
+Noise_levels smooth_points(std::vector<Point>& points, std::vector<double>& inverse_density,
+                           std::vector<std::uint8_t>& is_bent, const Neighbor_search& search,
+                           const Noise_levels& noise, std::size_t number_of_samples,
+                           const Progress& progress)
 {
-  const Surface_fit fit{search, points.size(), noise, noise};
-  const double radius = smoothing_radius_in_noise * noise;
+  const Surface_fit fit{search, points.size()};
   const std::size_t step =
-      smoothing_step<ConcurrencyTag>(inverse_density, noise, number_of_samples);
+      smoothing_step<ConcurrencyTag>(inverse_density, noise.median(), number_of_samples);
   const std::size_t kept = (points.size() - 1) / step + 1;
   std::vector<Point> smoothed(kept);
   std::vector<double> variance(kept), inverse_density_of_kept(kept);
@@ -102,9 +119,11 @@ Noise_left smooth_points(std::vector<Point>& points, std::vector<double>& invers
                                  [&](std::size_t i)
                                  {
     const std::size_t j = i * step;
+    const Noise& here = noise.at(j);
+    const double radius = smoothing_radius_in_noise * here.level;
     const double expected = radius * radius / inverse_density[j];
-    const Smoothed_point result =
-        smooth_point(fit, points[j], static_cast<std::size_t>((std::min)(expected, 1e9)));
+    const Smoothed_point result = smooth_point(fit.with(here), points[j],
+                                               static_cast<std::size_t>((std::min)(expected, 1e9)));
     smoothed[i] = result.point;
     variance[i] = result.variance;
     inverse_density_of_kept[i] = inverse_density[j] * static_cast<double>(step);
@@ -113,8 +132,7 @@ Noise_left smooth_points(std::vector<Point>& points, std::vector<double>& invers
   points.swap(smoothed);
   inverse_density.swap(inverse_density_of_kept);
   is_bent.swap(is_kept_bent);
-  return {std::sqrt(mean<ConcurrencyTag>(kept, [&](std::size_t i) { return variance[i]; })),
-          noise / std::sqrt(static_cast<double>(step))};
+  return noise_left<ConcurrencyTag>(noise, variance, step);
 }
 
 } // namespace internal

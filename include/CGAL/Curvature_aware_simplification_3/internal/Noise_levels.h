@@ -1,0 +1,74 @@
+// Copyright (c) 2026 The authors of Curvature_aware_simplification_3.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_NOISE_LEVELS_H
+#define CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_NOISE_LEVELS_H
+
+#include <CGAL/Curvature_aware_simplification_3/internal/median.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Curvature_aware_simplification_3 {
+namespace internal {
+
+// The noise of points of one place
+struct Noise
+{
+  double level = 0.; // standard deviation sigma of their distance to the surface
+  // That of independent noise with which a fit to many points would err as much: larger if they share their
+  // noise, as smoothed points do
+  double independent_level = 0.;
+};
+
+// The noise of all points. It grows with the distance from a scanner, and differs from scan to scan and
+// from material to material: each range of the Hilbert curve has its own.
+struct Noise_levels
+{
+  std::vector<Noise> of_range; // of equally many points each
+  std::size_t number_of_points;
+
+  const Noise& at(std::size_t i) const { return of_range[i * of_range.size() / number_of_points]; }
+
+  // the first of the points of a range; with its number one higher, where they end
+  std::size_t begin(std::size_t range) const
+  {
+    return (range * number_of_points + of_range.size() - 1) / of_range.size();
+  }
+
+  double median() const
+  {
+    std::vector<double> levels;
+    for (const Noise& noise : of_range)
+      levels.push_back(noise.level);
+    return internal::median(levels);
+  }
+
+  bool is_everywhere_zero() const
+  {
+    return std::all_of(of_range.begin(), of_range.end(),
+                       [](const Noise& noise) { return noise.level == 0.; });
+  }
+
+  void neglect_below(double level)
+  {
+    for (Noise& noise : of_range)
+      if (noise.level < level)
+        noise = Noise();
+  }
+};
+
+inline Noise_levels uniform_noise(double level, std::size_t number_of_points)
+{
+  return {std::vector<Noise>(1, Noise{level, level}), number_of_points};
+}
+
+} // namespace internal
+} // namespace Curvature_aware_simplification_3
+} // namespace CGAL
+
+#endif // CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_NOISE_LEVELS_H
