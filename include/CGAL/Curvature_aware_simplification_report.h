@@ -41,7 +41,7 @@ struct Curvature_aware_simplification_report
   /// number of distinct input points that were taken for outliers; they have no influence
   std::size_t number_of_outliers = 0;
   /// standard deviation of the distance of the other input points to the surface, as estimated: the median
-  /// over the surface, where it differs by place
+  /// over the points, where it differs by place
   double noise_level = 0.;
 
   /// copying, checking and sorting the points, and building the search tree

@@ -23,7 +23,7 @@ inline double normal_deviate(CGAL::Random& random)
   return std::sqrt(-2. * std::log(u)) * std::cos(random.uniform_real(0., 2. * CGAL_PI));
 }
 
-// each coordinate so
+// of three independent normal deviates
 inline Vector normal_vector(CGAL::Random& random)
 {
   const double x = normal_deviate(random), y = normal_deviate(random);

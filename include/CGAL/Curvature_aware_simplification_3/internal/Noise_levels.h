@@ -16,13 +16,15 @@ namespace CGAL {
 namespace Curvature_aware_simplification_3 {
 namespace internal {
 
-// The noise of points of one place
+// The noise of the points of one place
 struct Noise
 {
   double level = 0.; // standard deviation sigma of their distance to the surface
   // That of independent noise with which a fit to many points would err as much: larger if they share their
   // noise, as smoothed points do
   double independent_level = 0.;
+  // At the distance of the samples: only then is it worth time to reduce it.
+  bool is_visible = false;
 };
 
 // The noise of all points. It grows with the distance from a scanner, and differs from scan to scan and
@@ -34,8 +36,8 @@ struct Noise_levels
 
   const Noise& at(std::size_t i) const { return of_range[i * of_range.size() / number_of_points]; }
 
-  // the first of the points of a range; with its number one higher, where they end
-  std::size_t begin(std::size_t range) const
+  // the least i of a range; that of the number of ranges is the number of points
+  std::size_t first_point(std::size_t range) const
   {
     return (range * number_of_points + of_range.size() - 1) / of_range.size();
   }
@@ -48,23 +50,29 @@ struct Noise_levels
     return internal::median(levels);
   }
 
-  bool is_everywhere_zero() const
+  double least() const
   {
-    return std::all_of(of_range.begin(), of_range.end(),
-                       [](const Noise& noise) { return noise.level == 0.; });
+    return std::min_element(of_range.begin(), of_range.end(),
+                            [](const Noise& a, const Noise& b) { return a.level < b.level; })
+        ->level;
   }
 
-  void neglect_below(double level)
+  void make_visible_above(double level)
   {
     for (Noise& noise : of_range)
-      if (noise.level < level)
-        noise = Noise();
+      noise.is_visible = noise.level > level;
+  }
+
+  bool is_visible() const
+  {
+    return std::any_of(of_range.begin(), of_range.end(),
+                       [](const Noise& noise) { return noise.is_visible; });
   }
 };
 
 inline Noise_levels uniform_noise(double level, std::size_t number_of_points)
 {
-  return {std::vector<Noise>(1, Noise{level, level}), number_of_points};
+  return {{Noise{level, level}}, number_of_points};
 }
 
 } // namespace internal

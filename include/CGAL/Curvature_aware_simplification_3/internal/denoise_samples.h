@@ -27,7 +27,8 @@ struct Widening
   double variance; // of the length of the shift, if noise alone causes it
 };
 
-// The narrowest fit at x, and what fits with 2, 4, ... times its neighbors change one after the other
+// The narrowest fit, which is the surface of the sample, and what fits with 2, 4, ... times its neighbors
+// change one after the other
 struct Fits_of_all_sizes
 {
   Point point;
@@ -37,15 +38,10 @@ struct Fits_of_all_sizes
 inline Fits_of_all_sizes fits_of_all_sizes(const Surface_fit& fit, const Surface_sample& x)
 {
   static thread_local Neighborhood neighborhood;
-  Local_surface surface =
-      fit_local_surface(fit, x.point, x.normal, x.surface.neighbors, rounds_to_stay, neighborhood);
-  if (fit.settings.keep_borders && surface.radius > 0.)
-  {
-    double a = 0., b = 0.;
-    if (find_border(neighborhood, surface).restrict(a, b))
-      surface = fit_local_surface(fit, surface.point(a, b), surface.normal(a, b), surface.neighbors,
-                                  rounds_to_stay, neighborhood);
-  }
+  Local_surface surface = x.surface;
+  if (x.a != 0. || x.b != 0.) // back from a border
+    surface =
+        fit_local_surface(fit, x.point, x.normal, surface.neighbors, rounds_to_stay, neighborhood);
   Fits_of_all_sizes fits{surface.origin, {}};
   if (!(surface.radius > 0.))
     return fits;
@@ -104,15 +100,11 @@ void denoise_samples(std::vector<Surface_sample>& samples, const Surface_fit& fi
   for_each_index<ConcurrencyTag>(samples.size(), progress,
                                  [&](std::size_t i)
                                  {
-    Surface_sample& x = samples[i];
-    const Surface_fit here = fit.with(x.noise);
-    if (x.noise.level > 0.)
-      fits[i] = fits_of_all_sizes(here, x);
+    const Surface_sample& x = samples[i];
+    if (x.noise.is_visible)
+      fits[i] = fits_of_all_sizes(fit.with(x.noise), x);
     else
-    {
-      x.place(here, x.point, x.normal, rounds_to_stay);
       fits[i].point = x.point;
-    }
     points[i] = fits[i].point;
   });
 

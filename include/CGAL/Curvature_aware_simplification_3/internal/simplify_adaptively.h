@@ -101,11 +101,11 @@ Distinct_samples simplify_adaptively(Cloud cloud, std::unique_ptr<Neighbor_searc
   const double mean_spacing =
       lattice_spacing(static_cast<double>(number_of_samples) /
                       area_of_surface<ConcurrencyTag>(features.inverse_density));
-  // The narrowest fits have an error of up to sigma / 2. More is worth its time only if that is
+  // The narrowest fits have an error of up to sigma / 2. More is worth its time only where that is
   // visible: beyond 1 % of the spacing.
-  noise.neglect_below(2. * 0.01 * mean_spacing);
-  const bool is_noisy = !noise.is_everywhere_zero();
-  if (settings.smooth_points && is_noisy)
+  noise.make_visible_above(2. * 0.01 * mean_spacing);
+
+  if (settings.smooth_points && noise.is_visible())
   {
     noise = smooth_points<ConcurrencyTag>(points, features.inverse_density, is_bent, *search, noise,
                                           number_of_samples, progress.part(0.3, 0.4));
@@ -143,16 +143,14 @@ Distinct_samples simplify_adaptively(Cloud cloud, std::unique_ptr<Neighbor_searc
                                        parameters.repulsion_weight, progress.part(0.6, 0.85));
   report.relaxation_time = stopwatch.lap();
 
-  const Progress final_progress = progress.part(0.85, 0.97);
-  if (settings.denoise && is_noisy)
-    denoise_samples<ConcurrencyTag>(samples, fit, final_progress);
-  else
-    for_each_index<ConcurrencyTag>(samples.size(), final_progress,
-                                   [&](std::size_t i)
-                                   {
-      samples[i].place(fit.with(samples[i].noise), samples[i].point, samples[i].normal,
-                       rounds_to_stay);
-    });
+  for_each_index<ConcurrencyTag>(samples.size(), progress.part(0.85, 0.91),
+                                 [&](std::size_t i)
+                                 {
+    samples[i].place(fit.with(samples[i].noise), samples[i].point, samples[i].normal,
+                     rounds_to_stay);
+  });
+  if (settings.denoise && noise.is_visible())
+    denoise_samples<ConcurrencyTag>(samples, fit, progress.part(0.91, 0.97));
   if (settings.move_to_edges)
   {
     const std::vector<Point> bent =

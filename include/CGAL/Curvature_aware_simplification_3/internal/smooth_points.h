@@ -6,6 +6,7 @@
 #ifndef CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_SMOOTH_POINTS_H
 #define CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_SMOOTH_POINTS_H
 
+#include <CGAL/Curvature_aware_simplification_3/internal/Noise_levels.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Progress.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/fit_local_surface.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/loops.h>
@@ -14,7 +15,6 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <functional>
 #include <vector>
 
 namespace CGAL {
@@ -40,8 +40,6 @@ inline Smoothed_point smooth_point(const Surface_fit& fit, const Point& x,
 {
   static thread_local Neighborhood neighborhood;
   const Smoothed_point unchanged{x, fit.noise.level * fit.noise.level};
-  if (fit.noise.level == 0.)
-    return unchanged;
   const double radius = smoothing_radius_in_noise * fit.noise.level;
   collect_neighbors(fit, x, smoothing_neighborhood, radius, expected_neighbors, neighborhood);
   if (!(neighborhood.radius > 0.))
@@ -77,7 +75,7 @@ std::size_t smoothing_step(const std::vector<double>& inverse_density, double no
   return static_cast<std::size_t>((std::max)(1., (std::min)(step, largest)));
 }
 
-// The noise that is left of smoothed points: the mean of their variances, by range
+// The noise that is left where points were smoothed: the mean of their variances, by range
 template <typename ConcurrencyTag>
 Noise_levels noise_left(const Noise_levels& noise, const std::vector<double>& variance,
                         std::size_t step)
@@ -87,10 +85,10 @@ Noise_levels noise_left(const Noise_levels& noise, const std::vector<double>& va
                                  [&](std::size_t range)
                                  {
     Noise& here = left.of_range[range];
-    here.independent_level = here.level / std::sqrt(static_cast<double>(step));
-    const std::size_t begin = left.begin(range), end = left.begin(range + 1);
-    if (begin == end) // more ranges than points
+    const std::size_t begin = left.first_point(range), end = left.first_point(range + 1);
+    if (!here.is_visible || begin == end) // not smoothed, or more ranges than points
       return;
+    here.independent_level = here.level / std::sqrt(static_cast<double>(step));
     double sum = 0.;
     for (std::size_t i = begin; i < end; ++i)
       sum += variance[i];
@@ -99,9 +97,9 @@ Noise_levels noise_left(const Noise_levels& noise, const std::vector<double>& va
   return left;
 }
 
-// Moves the points onto local surfaces, so that less noise is left and later fits can be narrower: in
-// balls of 7 sigma, shape is lost. Thins points that are dense against the noise. Returns what is left of
-// it.
+// Moves points with visible noise onto local surfaces, so that less of it is left and later fits can be
+// narrower: in balls of 7 sigma, shape is lost. Thins points that are dense against the noise. Returns what
+// is left of it.
 template <typename ConcurrencyTag>
 Noise_levels smooth_points(std::vector<Point>& points, std::vector<double>& inverse_density,
                            std::vector<std::uint8_t>& is_bent, const Neighbor_search& search,
@@ -110,7 +108,7 @@ Noise_levels smooth_points(std::vector<Point>& points, std::vector<double>& inve
 {
   const Surface_fit fit{search, points.size()};
   const std::size_t step =
-      smoothing_step<ConcurrencyTag>(inverse_density, noise.median(), number_of_samples);
+      smoothing_step<ConcurrencyTag>(inverse_density, noise.least(), number_of_samples);
   const std::size_t kept = (points.size() - 1) / step + 1;
   std::vector<Point> smoothed(kept);
   std::vector<double> variance(kept), inverse_density_of_kept(kept);
@@ -120,10 +118,13 @@ Noise_levels smooth_points(std::vector<Point>& points, std::vector<double>& inve
                                  {
     const std::size_t j = i * step;
     const Noise& here = noise.at(j);
-    const double radius = smoothing_radius_in_noise * here.level;
-    const double expected = radius * radius / inverse_density[j];
-    const Smoothed_point result = smooth_point(fit.with(here), points[j],
-                                               static_cast<std::size_t>((std::min)(expected, 1e9)));
+    Smoothed_point result{points[j], here.level * here.level};
+    if (here.is_visible)
+    {
+      const double radius = smoothing_radius_in_noise * here.level;
+      const double expected = (std::min)(radius * radius / inverse_density[j], 1e9);
+      result = smooth_point(fit.with(here), points[j], static_cast<std::size_t>(expected));
+    }
     smoothed[i] = result.point;
     variance[i] = result.variance;
     inverse_density_of_kept[i] = inverse_density[j] * static_cast<double>(step);
