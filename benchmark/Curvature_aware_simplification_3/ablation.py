@@ -3,7 +3,7 @@
 import concurrent.futures
 import math
 
-from comparison import Case
+from comparison import Case, in_words
 from page import write_table
 
 DEGRADATIONS = ["clean", "sparse", "noise:0.2", "outliers:5", "density:10", "uneven_noise:0.2"]
@@ -63,7 +63,7 @@ def ablation(comparison, igea, meshes, output):
         results = list(pool.map(measured, tasks))
     found = {(degradation, case.source, seed, idea): result
              for (degradation, case, seed, idea, _), result in zip(tasks, results)}
-    rows = [["without", "measure", *(d.replace(":", " ").replace("_", " ") for d in DEGRADATIONS), "all"]]
+    rows = [["without", "measure", *map(in_words, DEGRADATIONS), "all"]]
     for idea, _ in IDEAS:
         for measure, title in MEASURES:
             logarithms = {d: [] for d in DEGRADATIONS}

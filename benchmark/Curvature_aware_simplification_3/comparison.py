@@ -15,6 +15,10 @@ HERE = pathlib.Path(__file__).resolve().parent
 EDGE_COLLAPSE = "quadric edge collapse (no peer: it is given the mesh)"
 
 
+def in_words(degradation):
+    return degradation.replace(":", " ").replace("_", " ")
+
+
 class Case:
     """an input, what is done to it, and the number of output points"""
 
@@ -33,7 +37,7 @@ class Case:
         return options
 
     def title(self):
-        return f"{self.name}, {self.degradation.replace(':', ' ').replace('_', ' ')}"
+        return f"{self.name}, {in_words(self.degradation)}"
 
 
 class Comparison:

@@ -114,7 +114,7 @@ Distinct_samples simplify_adaptively(Cloud cloud, std::unique_ptr<Neighbor_searc
   }
   report.smoothing_time = stopwatch.lap();
 
-  const Surface_fit fit{*search, points.size(), Noise(), settings};
+  const Surface_fit fit{*search, points.size(), Noise(), settings}; // each sample has its own noise
   std::vector<Surface_sample> samples(number_of_samples);
   std::vector<std::size_t> selected;
   {

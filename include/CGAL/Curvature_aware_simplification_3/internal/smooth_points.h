@@ -34,14 +34,18 @@ struct Smoothed_point
   double variance;
 };
 
-// The foot point of x on the quadric through its neighbors; x itself where they tell nothing of it
-inline Smoothed_point smooth_point(const Surface_fit& fit, const Point& x,
-                                   std::size_t expected_neighbors)
+// The foot point of x on the quadric through its neighbors; x itself where its noise is not visible, or they
+// tell nothing of it
+inline Smoothed_point smooth_point(const Surface_fit& fit, const Point& x, double inverse_density)
 {
   static thread_local Neighborhood neighborhood;
   const Smoothed_point unchanged{x, fit.noise.level * fit.noise.level};
+  if (!fit.noise.is_visible)
+    return unchanged;
   const double radius = smoothing_radius_in_noise * fit.noise.level;
-  collect_neighbors(fit, x, smoothing_neighborhood, radius, expected_neighbors, neighborhood);
+  const double expected_neighbors = (std::min)(radius * radius / inverse_density, 1e9);
+  collect_neighbors(fit, x, smoothing_neighborhood, radius,
+                    static_cast<std::size_t>(expected_neighbors), neighborhood);
   if (!(neighborhood.radius > 0.))
     return unchanged;
   // The center is a noisy point itself: were the weights to fall within a few sigma, points with the
@@ -60,7 +64,8 @@ inline Smoothed_point smooth_point(const Surface_fit& fit, const Point& x,
 }
 
 // Every how many-th point is enough: those in the ball that smooths one are all averaged into it, so
-// that more than a full neighborhood per ball tell the same again. At least two for each sample.
+// that more than a full neighborhood per ball tell the same again. `noise` is the least of all, since points
+// that are not smoothed are averaged into none. At least two for each sample.
 template <typename ConcurrencyTag>
 std::size_t smoothing_step(const std::vector<double>& inverse_density, double noise,
                            std::size_t number_of_samples)
@@ -117,14 +122,8 @@ Noise_levels smooth_points(std::vector<Point>& points, std::vector<double>& inve
                                  [&](std::size_t i)
                                  {
     const std::size_t j = i * step;
-    const Noise& here = noise.at(j);
-    Smoothed_point result{points[j], here.level * here.level};
-    if (here.is_visible)
-    {
-      const double radius = smoothing_radius_in_noise * here.level;
-      const double expected = (std::min)(radius * radius / inverse_density[j], 1e9);
-      result = smooth_point(fit.with(here), points[j], static_cast<std::size_t>(expected));
-    }
+    const Smoothed_point result =
+        smooth_point(fit.with(noise.at(j)), points[j], inverse_density[j]);
     smoothed[i] = result.point;
     variance[i] = result.variance;
     inverse_density_of_kept[i] = inverse_density[j] * static_cast<double>(step);
