@@ -24,6 +24,8 @@ IDEAS = [
     ("noise not measured", "measure_noise=0"),
     ("the same noise everywhere", "noise_by_place=0"),
     ("points not smoothed first", "smooth_points=0"),
+    ("points smoothed all the same where fits miss the shape",
+     "residuals_explained_by_noise=1e300"),
     ("balls of fits not moved to foot points", "moves_to_foot_point=0"),
     ("narrowest fits only", "denoise=0"),
     ("widest fits of half as many points", "points_of_widest_fit=289"),

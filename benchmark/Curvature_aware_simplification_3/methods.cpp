@@ -220,6 +220,7 @@ Setting with_parameters(const std::string& parameters)
   set("least_curvature", settings.least_curvature);
   set("reach_of_repulsion", settings.reach_of_repulsion);
   set("smooth_points", settings.smooth_points);
+  set("residuals_explained_by_noise", settings.residuals_explained_by_noise);
   set("weight_of_height", settings.weight_of_height);
   set("momentum", settings.momentum);
   set("length_of_first_steps", settings.length_of_first_steps);

@@ -669,7 +669,19 @@ struct Smoothed
   double noise;
 };
 
-Smoothed smoothed(const std::vector<Point>& points, double noise, std::size_t number_of_samples)
+std::vector<Point> cube(std::size_t n, unsigned int seed)
+{
+  return surfaces::sample(n, seed,
+                          [](CGAL::Random& r)
+                          {
+    const double a = r.uniform_real(0., 1.), b = r.uniform_real(0., 1.), c = r.uniform_int(0, 1);
+    const int axis = r.uniform_int(0, 2);
+    return axis == 0 ? Point(c, a, b) : axis == 1 ? Point(a, c, b) : Point(a, b, c);
+  });
+}
+
+Smoothed smoothed(const std::vector<Point>& points, double noise, std::size_t number_of_samples,
+                  const Adaptive_settings& settings = Adaptive_settings())
 {
   const Neighbor_search search(points, Tag());
   Smoothed result{points, std::vector<double>(points.size()),
@@ -684,7 +696,7 @@ Smoothed smoothed(const std::vector<Point>& points, double noise, std::size_t nu
   Noise_levels levels = uniform_noise(noise, points.size());
   levels.make_visible_above(0.);
   result.noise = smooth_points<Tag>(result.points, result.inverse_density, result.is_bent, search,
-                                    levels, number_of_samples, Progress(no_callback))
+                                    levels, number_of_samples, settings, Progress(no_callback))
                      .at(0)
                      .level;
   return result;
@@ -717,7 +729,7 @@ TEST(Smoothing, is_where_noise_is_visible)
   Noise_levels noise{{{0.001, 0.001}, {0.002, 0.002}, {0.0015, 0.0015}}, points.size()};
   noise.make_visible_above(0.0015);
   const Noise_levels left = smooth_points<Tag>(result, inverse_density, is_bent, search, noise,
-                                               1000, Progress(no_callback));
+                                               1000, Adaptive_settings(), Progress(no_callback));
   for (std::size_t i = 0; i < points.size(); ++i)
     EXPECT_EQ(result[i] != points[i], i >= 10000 && i < 20000) << i;
   EXPECT_EQ(left.at(0).level, 0.001);
@@ -737,7 +749,7 @@ TEST(Smoothing, keeps_all_points_where_some_have_no_noise)
     std::vector<std::uint8_t> is_bent(points.size(), 0);
     Noise_levels noise{{{0.02, 0.02}, {0.02, 0.02}, {least, least}}, points.size()};
     noise.make_visible_above(0.01);
-    smooth_points<Tag>(result, inverse_density, is_bent, search, noise, 1000,
+    smooth_points<Tag>(result, inverse_density, is_bent, search, noise, 1000, Adaptive_settings(),
                        Progress(no_callback));
     EXPECT_EQ(result.size(), least == 0. ? 30000u : 2000u);
   }
@@ -808,6 +820,69 @@ TEST(Smoothing, leaves_alone_what_noise_does_not_explain)
   points[7] = Point(0.5, 0.5, 0.1);
   const Point moved = smoothed(points, 0.005, 2000).points[7];
   EXPECT_LT(CGAL::squared_distance(moved, points[7]), 0.005 * 0.005);
+}
+
+TEST(Smoothing, takes_what_residuals_show_beyond_the_noise_for_shape)
+{
+  // Heights of +-0.03 in turn, of which a quadric explains nothing: the variance of n residuals is theirs,
+  // times n / (n - 6), and the center, a point at 5, has no say.
+  Neighborhood neighborhood;
+  neighborhood.neighbors.push_back({Vector(0., 0., 5.), 25., 1.});
+  for (int i = 0; i < 12; ++i)
+    neighborhood.neighbors.push_back({Vector(1., i, i % 2 == 0 ? 0.03 : -0.03), 1. + i * i, 0.5});
+  neighborhood.neighbors[0].squared_distance = 0.;
+  EXPECT_NEAR(variance_of_residuals(neighborhood, Local_surface()), 2. * 0.0009, 1e-12);
+  neighborhood.neighbors.resize(7); // six residuals tell nothing
+  EXPECT_EQ(variance_of_residuals(neighborhood, Local_surface()), 0.);
+
+  const std::vector<Point> points = surfaces::square(10, 76);
+  const Neighbor_search search(points, Tag());
+  const Surface_fit fit{search, 10, Noise{3., 3.}};
+  EXPECT_EQ(share_explained_by_noise(fit, 0.), 1.);
+  EXPECT_EQ(share_explained_by_noise(fit, 22.5), 1.);
+  EXPECT_EQ(share_explained_by_noise(fit, 90.), 0.25);
+}
+
+double distance_to_edge(const Point& p)
+{
+  double d[3];
+  for (int i = 0; i < 3; ++i)
+    d[i] = std::min(std::abs(p[i]), std::abs(1. - p[i]));
+  std::sort(d, d + 3);
+  return std::sqrt(d[0] * d[0] + d[1] * d[1]);
+}
+
+double distance_to_cube(const Point& p)
+{
+  const auto outside = [](double x) { return (std::max)({-x, x - 1., 0.}); };
+  const auto inside = [](double x) { return (std::min)(x, 1. - x); };
+  const double x = outside(p.x()), y = outside(p.y()), z = outside(p.z());
+  const double distance = std::sqrt(x * x + y * y + z * z);
+  return distance > 0. ? distance : (std::min)({inside(p.x()), inside(p.y()), inside(p.z())});
+}
+
+TEST(Smoothing, does_not_round_sharp_edges_more_than_noise_does)
+{
+  // 0.008 between points, and noise of a sixteenth of that
+  const double sigma = 0.0005;
+  const std::vector<Point> exact = cube(100000, 88);
+  const std::vector<Point> points = with_noise(exact, sigma, 89);
+  const auto error_near_edges = [&](double residuals_explained_by_noise)
+  {
+    Adaptive_settings settings;
+    settings.residuals_explained_by_noise = residuals_explained_by_noise;
+    const Smoothed result = smoothed(points, sigma, 10000, settings);
+    double sum = 0., number = 0.;
+    for (std::size_t i = 0; i < points.size(); ++i)
+      if (distance_to_edge(exact[i]) < 0.004)
+      {
+        sum += std::pow(distance_to_cube(result.points[i]), 2);
+        number += 1.;
+      }
+    return std::sqrt(sum / number) / sigma;
+  };
+  EXPECT_LT(error_near_edges(Adaptive_settings().residuals_explained_by_noise), 1.05);
+  EXPECT_GT(error_near_edges(1e300), 1.3);
 }
 
 TEST(Smoothing, makes_narrow_fits_no_better_than_the_points_are)
@@ -888,17 +963,6 @@ TEST(Outliers, are_not_found_in_borders_thin_parts_and_sparse_regions)
     if (random.uniform_real(0., 1.) < std::pow(100., -(p.x() + 4.) / 8.))
       uneven.push_back(p);
   EXPECT_LT(number_of_outliers(uneven), 0.005 * static_cast<double>(uneven.size()));
-}
-
-std::vector<Point> cube(std::size_t n, unsigned int seed)
-{
-  return surfaces::sample(n, seed,
-                          [](CGAL::Random& r)
-                          {
-    const double a = r.uniform_real(0., 1.), b = r.uniform_real(0., 1.), c = r.uniform_int(0, 1);
-    const int axis = r.uniform_int(0, 2);
-    return axis == 0 ? Point(c, a, b) : axis == 1 ? Point(a, c, b) : Point(a, b, c);
-  });
 }
 
 Sampling_density density_of(const Cloud& cloud, std::size_t n, double alpha, double noise)
@@ -1245,15 +1309,6 @@ TEST(Fold, is_seen_by_samples_on_both_sides)
 }
 
 // distance to the nearest edge of the cube [0, 1]^3: the two smaller distances to its planes
-double distance_to_edge(const Point& p)
-{
-  double d[3];
-  for (int i = 0; i < 3; ++i)
-    d[i] = std::min(std::abs(p[i]), std::abs(1. - p[i]));
-  std::sort(d, d + 3);
-  return std::sqrt(d[0] * d[0] + d[1] * d[1]);
-}
-
 TEST(Adaptive, puts_samples_on_sharp_edges)
 {
   // The samples are 0.054 apart if uniform, edges have a length of 12.

@@ -34,8 +34,37 @@ struct Smoothed_point
   double variance;
 };
 
-// The foot point of x on the quadric through its neighbors; x itself where its noise is not visible, or they
-// tell nothing of it
+// Variance of the heights of the neighbors over the surface that was fitted to them: noise, and shape that it
+// missed. The center does not count: it may be a point that is far off, and such are to be moved.
+inline double variance_of_residuals(const Neighborhood& neighborhood, const Local_surface& surface)
+{
+  double sum = 0., sum_of_squares = 0., sum_of_residuals = 0.;
+  for (const Neighborhood::Neighbor& neighbor : neighborhood.neighbors)
+  {
+    if (neighbor.squared_distance == 0.)
+      continue;
+    const double residual = surface.residual(neighbor.position);
+    sum += neighbor.weight;
+    sum_of_squares += neighbor.weight * neighbor.weight;
+    sum_of_residuals += neighbor.weight * residual * residual;
+  }
+  // so many neighbors of equal weight would tell as much; the quadric used up 6
+  const double n = sum * sum / sum_of_squares;
+  return n > 6. ? sum_of_residuals / sum * n / (n - 6.) : 0.;
+}
+
+// How much of the way from a point to the foot point brings it nearer to the surface, as in Lee's filter for
+// images: sigma^2 / s^2, where s^2 is the variance of the residuals. On a sharp edge, a quadric is off
+// by as much as they are, and the point itself by sigma only.
+inline double share_explained_by_noise(const Surface_fit& fit, double variance_of_residuals)
+{
+  const double explained =
+      fit.settings.residuals_explained_by_noise * fit.noise.level * fit.noise.level;
+  return variance_of_residuals > explained ? explained / variance_of_residuals : 1.;
+}
+
+// x moved to the foot point on the quadric through its neighbors, as far as noise explains; x itself where its
+// noise is not visible, or they tell nothing of it
 inline Smoothed_point smooth_point(const Surface_fit& fit, const Point& x, double inverse_density)
 {
   static thread_local Neighborhood neighborhood;
@@ -58,9 +87,10 @@ inline Smoothed_point smooth_point(const Surface_fit& fit, const Point& x, doubl
   if (!fit_quadric_over_plane(neighborhood, fit.noise.level, surface) ||
       !(surface.error < fit.noise.level) || !(std::abs(surface.c[0]) <= radius))
     return unchanged;
-  const double variance = surface.error * surface.error;
+  const double share = share_explained_by_noise(fit, variance_of_residuals(neighborhood, surface));
+  const double variance = share * surface.error * surface.error + (1. - share) * unchanged.variance;
   surface.move_to_foot_point();
-  return {surface.origin, variance};
+  return {x + share * (surface.origin - x), variance};
 }
 
 // Every how many-th point is enough: those in the ball that smooths one are all averaged into it, so
@@ -109,9 +139,9 @@ template <typename ConcurrencyTag>
 Noise_levels smooth_points(std::vector<Point>& points, std::vector<double>& inverse_density,
                            std::vector<std::uint8_t>& is_bent, const Neighbor_search& search,
                            const Noise_levels& noise, std::size_t number_of_samples,
-                           const Progress& progress)
+                           const Adaptive_settings& settings, const Progress& progress)
 {
-  const Surface_fit fit{search, points.size()};
+  const Surface_fit fit{search, points.size(), Noise(), settings}; // each point has its own noise
   const std::size_t step =
       smoothing_step<ConcurrencyTag>(inverse_density, noise.least(), number_of_samples);
   const std::size_t kept = (points.size() - 1) / step + 1;
