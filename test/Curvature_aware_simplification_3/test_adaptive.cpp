@@ -514,7 +514,7 @@ TEST(Noise_levels, have_ranges_of_points)
   const std::vector<std::size_t> begins{0, 3, 5, 7};
   for (std::size_t range = 0; range < 3; ++range)
   {
-    EXPECT_EQ(noise.first_point(range), begins[range]);
+    EXPECT_EQ(noise.ranges().first_point(range), begins[range]);
     for (std::size_t i = begins[range]; i < begins[range + 1]; ++i)
       EXPECT_EQ(noise.at(i).level, noise.of_range[range].level);
   }
@@ -983,7 +983,7 @@ TEST(Sampling_density, integrates_to_the_number_of_samples)
     const Sampling_density wanted = density_of(cloud, 2000, alpha, 0.);
     double sum = 0.;
     for (std::size_t i = 0; i < cloud.size(); ++i)
-      sum += wanted.weight[i];
+      sum += wanted.weight[wanted.ranges.range_of(i)];
     EXPECT_NEAR(sum / 2000., 1., 0.1) << alpha; // the areas are measured at another scale
   }
 }
@@ -1019,12 +1019,12 @@ TEST(Sampling_density, follows_the_curvature)
       const double r = std::hypot(p.x(), p.y());
       if (r < 2.1)
       {
-        inner += wanted.density[i];
+        inner += wanted.density[wanted.ranges.range_of(i)];
         inner_count += 1.;
       }
       if (r > 3.9)
       {
-        outer += wanted.density[i];
+        outer += wanted.density[wanted.ranges.range_of(i)];
         outer_count += 1.;
       }
     }
@@ -1098,12 +1098,12 @@ TEST(Sampling_density, counts_borders_twice)
       continue;
     if (distance < 0.1 * spacing)
     {
-      border += wanted.weight[i];
+      border += wanted.weight[wanted.ranges.range_of(i)];
       border_count += 1.;
     }
     if (distance > 2. * spacing)
     {
-      inside += wanted.weight[i];
+      inside += wanted.weight[wanted.ranges.range_of(i)];
       inside_count += 1.;
     }
   }
@@ -1145,12 +1145,18 @@ TEST(Sampling_density, of_a_noisy_plane_is_even)
   EXPECT_LT(high / low, 2.5);
 }
 
+std::vector<std::size_t> selected_along_curve(const std::vector<double>& weight, std::size_t number,
+                                              std::uint64_t seed)
+{
+  return select_along_curve<Tag>(Curve_ranges{weight.size(), weight.size()}, weight, number, seed);
+}
+
 TEST(Select_along_curve, takes_one_of_each_piece)
 {
   const std::vector<double> weight = {1., 1., 1., 1., 1., 1., 1., 1.};
   for (std::uint64_t seed = 0; seed < 20; ++seed)
   {
-    const std::vector<std::size_t> selected = select_along_curve<Tag>(weight, 4, seed);
+    const std::vector<std::size_t> selected = selected_along_curve(weight, 4, seed);
     ASSERT_EQ(selected.size(), 4u);
     for (std::size_t i = 0; i < 4; ++i)
       EXPECT_EQ(selected[i] / 2, i);
@@ -1165,7 +1171,7 @@ TEST(Select_along_curve, has_probabilities_as_the_weights)
   for (int seed = 0; seed < seeds; ++seed)
   {
     const std::vector<std::size_t> selected =
-        select_along_curve<Tag>(weight, 2, static_cast<std::uint64_t>(seed));
+        selected_along_curve(weight, 2, static_cast<std::uint64_t>(seed));
     ASSERT_EQ(selected.size(), 2u);
     for (std::size_t i : selected)
       frequency[i] += 1. / seeds;
@@ -1177,9 +1183,27 @@ TEST(Select_along_curve, has_probabilities_as_the_weights)
 TEST(Select_along_curve, is_exact_for_extreme_weights)
 {
   using Indices = std::vector<std::size_t>;
-  EXPECT_EQ(select_along_curve<Tag>({0., 0., 1e9, 0., 0.}, 3, 1), (Indices{2, 3, 4}));
-  EXPECT_EQ(select_along_curve<Tag>({1., 0., 0., 0., 0.}, 5, 1), (Indices{0, 1, 2, 3, 4}));
-  EXPECT_EQ(select_along_curve<Tag>({0., 0., 0., 1e-300}, 2, 1), (Indices{2, 3}));
+  EXPECT_EQ(selected_along_curve({0., 0., 1e9, 0., 0.}, 3, 1), (Indices{2, 3, 4}));
+  EXPECT_EQ(selected_along_curve({1., 0., 0., 0., 0.}, 5, 1), (Indices{0, 1, 2, 3, 4}));
+  EXPECT_EQ(selected_along_curve({0., 0., 0., 1e-300}, 2, 1), (Indices{2, 3}));
+}
+
+TEST(Select_along_curve, is_the_same_with_weights_by_range)
+{
+  // 3 ranges of 10 points: 0 to 3, 4 to 6, 7 to 9
+  const Curve_ranges ranges{3, 10};
+  EXPECT_EQ(ranges.first_point(1), 4u);
+  EXPECT_EQ(ranges.first_point(2), 7u);
+  EXPECT_EQ(ranges.first_point(3), 10u);
+  const std::vector<double> weight_of_range = {0.25, 2., 0.5};
+  std::vector<double> weight;
+  for (std::size_t i = 0; i < 10; ++i)
+    weight.push_back(weight_of_range[ranges.range_of(i)]);
+  EXPECT_EQ(weight, (std::vector<double>{0.25, 0.25, 0.25, 0.25, 2., 2., 2., 0.5, 0.5, 0.5}));
+  for (std::uint64_t seed = 0; seed < 100; ++seed)
+    for (std::size_t number = 1; number <= 10; ++number)
+      EXPECT_EQ(select_along_curve<Tag>(ranges, weight_of_range, number, seed),
+                selected_along_curve(weight, number, seed));
 }
 
 // two half planes that meet in the y-axis, one of them z = 0, with the angle between their normals

@@ -557,7 +557,8 @@ TEST(Loops, count_in_64_bits)
 
   static_assert(sizeof(decltype(Cloud::input_index)::value_type) == 8, "indices of input points");
   static_assert(sizeof(decltype(Cloud::distinct_index)::value_type) == 8, "of distinct points");
-  static_assert(sizeof(decltype(select_along_curve<Tag>({}, 0, 0))::value_type) == 8, "of samples");
+  static_assert(sizeof(decltype(select_along_curve<Tag>({1, 1}, {}, 0, 0))::value_type) == 8,
+                "of samples");
 }
 
 // sizes around that of a block, in which the rounds meet

@@ -6,6 +6,7 @@
 #ifndef CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_NOISE_LEVELS_H
 #define CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_NOISE_LEVELS_H
 
+#include <CGAL/Curvature_aware_simplification_3/internal/Curve_ranges.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/median.h>
 
 #include <algorithm>
@@ -31,16 +32,11 @@ struct Noise
 // from material to material: each range of the Hilbert curve has its own.
 struct Noise_levels
 {
-  std::vector<Noise> of_range; // of equally many points each
+  std::vector<Noise> of_range;
   std::size_t number_of_points;
 
-  const Noise& at(std::size_t i) const { return of_range[i * of_range.size() / number_of_points]; }
-
-  // the least i of a range; that of the number of ranges is the number of points
-  std::size_t first_point(std::size_t range) const
-  {
-    return (range * number_of_points + of_range.size() - 1) / of_range.size();
-  }
+  Curve_ranges ranges() const { return {of_range.size(), number_of_points}; }
+  const Noise& at(std::size_t i) const { return of_range[ranges().range_of(i)]; }
 
   double median() const
   {

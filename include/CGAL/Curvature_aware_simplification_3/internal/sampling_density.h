@@ -7,6 +7,7 @@
 #define CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_SAMPLING_DENSITY_H
 
 #include <CGAL/Curvature_aware_simplification_3/internal/Adaptive_settings.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/Curve_ranges.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Neighbor_search.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Noise_levels.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Progress.h>
@@ -19,18 +20,21 @@
 #include <cmath>
 #include <cstddef>
 #include <functional>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace Curvature_aware_simplification_3 {
 namespace internal {
 
-// How many samples per area are wanted at each input point
+// How many samples per area are wanted, in ranges of the curve
 struct Sampling_density
 {
+  Curve_ranges ranges;
   std::vector<double> density; // their integral over the surface is N
-  std::vector<double> weight;  // density times the area of the surface that the point stands for;
-                               // more on borders
+  std::vector<double>
+      weight; // of each point of a range: density times the area of the surface that it
+              // stands for; more on borders
 };
 
 // The spacing of a hexagonal lattice with a density of points: s^2 = 2 / (sqrt(3) density)
@@ -84,23 +88,23 @@ Sampling_density sampling_density(const std::vector<Point>& points,
 
   // Ranges of the Hilbert curve, about one for each sample, represented by the point in its middle. Each
   // is two pieces, unless these would be of fewer than two points, which saves nothing.
-  const std::size_t ranges = (std::min)(n, number_of_samples);
-  const std::size_t pieces_in_range = n / ranges < 4 ? 1 : 2;
-  const auto begin = [&](std::size_t i) { return i * n / ranges; };
+  const Curve_ranges ranges{(std::min)(n, number_of_samples), n};
+  const std::size_t pieces_in_range = n / ranges.number < 4 ? 1 : 2;
   const Surface_pieces pieces =
-      surface_pieces<ConcurrencyTag>(points, inverse_density, pieces_in_range * ranges);
+      surface_pieces<ConcurrencyTag>(points, inverse_density, pieces_in_range * ranges.number);
   const Neighbor_search piece_search(pieces.center, ConcurrencyTag());
 
-  std::vector<double> curvature(ranges), area(ranges), range_area(ranges), range_density(ranges);
-  for_each_index<ConcurrencyTag>(ranges, progress,
+  std::vector<double> curvature(ranges.number), area(ranges.number), range_area(ranges.number),
+      density(ranges.number), weight(ranges.number);
+  for_each_index<ConcurrencyTag>(ranges.number, progress,
                                  [&](std::size_t i)
                                  {
     for (std::size_t piece = pieces_in_range * i; piece < pieces_in_range * (i + 1); ++piece)
       range_area[i] += pieces.area[piece];
     const double pieces_per_area = static_cast<double>(pieces_in_range) / range_area[i];
     const double points_in_piece =
-        static_cast<double>(begin(i + 1) - begin(i)) / static_cast<double>(pieces_in_range);
-    const std::size_t middle = (begin(i) + begin(i + 1)) / 2;
+        static_cast<double>(ranges.size(i)) / static_cast<double>(pieces_in_range);
+    const std::size_t middle = ranges.first_point(i) + ranges.size(i) / 2;
     const double sigma = noise.at(middle).level;
     const double radius = (std::max)(settings.curvature_radius * spacing, 3. * sigma);
     const double wanted = (std::max)({CGAL_PI * radius * radius * pieces_per_area, fewest_pieces,
@@ -126,46 +130,42 @@ Sampling_density sampling_density(const std::vector<Point>& points,
   // bounded from below by a part of the mean
   const double mean_power =
       reduce_indices<ConcurrencyTag>(
-          ranges, 0.,
+          ranges.number, 0.,
           [&](std::size_t i) { return range_area[i] * std::pow(curvature[i], order_of_mean); },
           std::plus<double>()) /
       total_area;
   const double least =
       mean_power > 0. ? settings.least_curvature * std::pow(mean_power, 1. / order_of_mean) : 1.;
-  for_each_index<ConcurrencyTag>(0, ranges,
+  for_each_index<ConcurrencyTag>(0, ranges.number,
                                  [&](std::size_t i) {
-    range_density[i] = std::pow(curvature[i] * curvature[i] + least * least, alpha / 2.);
+    density[i] = std::pow(curvature[i] * curvature[i] + least * least, alpha / 2.);
   });
   const auto total = [&]
   {
     return reduce_indices<ConcurrencyTag>(
-        ranges, 0., [&](std::size_t i) { return range_density[i] * range_area[i]; },
+        ranges.number, 0., [&](std::size_t i) { return density[i] * range_area[i]; },
         std::plus<double>());
   };
   // What the bound takes away goes to all others; a second and third round settle it.
   for (int round = 0; round < 3; ++round)
   {
     const double factor = number / total();
-    for_each_index<ConcurrencyTag>(0, ranges,
+    for_each_index<ConcurrencyTag>(0, ranges.number,
                                    [&](std::size_t i)
                                    {
-      const double point_density = static_cast<double>(begin(i + 1) - begin(i)) / range_area[i];
-      range_density[i] = (std::min)(factor * range_density[i], densest * point_density);
+      const double point_density = static_cast<double>(ranges.size(i)) / range_area[i];
+      density[i] = (std::min)(factor * density[i], densest * point_density);
     });
   }
 
   const double factor = number / total();
-  Sampling_density result{std::vector<double>(n), std::vector<double>(n)};
-  for_each_index<ConcurrencyTag>(0, ranges,
+  for_each_index<ConcurrencyTag>(0, ranges.number,
                                  [&](std::size_t i)
                                  {
-    for (std::size_t j = begin(i); j < begin(i + 1); ++j)
-    {
-      result.density[j] = range_density[i] * factor;
-      result.weight[j] = result.density[j] * area[i];
-    }
+    density[i] *= factor;
+    weight[i] = density[i] * area[i];
   });
-  return result;
+  return {ranges, std::move(density), std::move(weight)};
 }
 
 } // namespace internal

@@ -118,16 +118,16 @@ Distinct_samples simplify_adaptively(Cloud cloud, std::unique_ptr<Neighbor_searc
   std::vector<Surface_sample> samples(number_of_samples);
   std::vector<std::size_t> selected;
   {
-    Sampling_density wanted = sampling_density<ConcurrencyTag>(
+    const Sampling_density wanted = sampling_density<ConcurrencyTag>(
         points, features.inverse_density, number_of_samples, parameters.adaptivity, noise,
         cloud.coordinate_error, settings, progress.part(0.4, 0.5));
     features = Features();
-    selected = select_along_curve<ConcurrencyTag>(std::move(wanted.weight), number_of_samples,
+    selected = select_along_curve<ConcurrencyTag>(wanted.ranges, wanted.weight, number_of_samples,
                                                   parameters.random_seed);
     for_each_index<ConcurrencyTag>(0, samples.size(),
                                    [&](std::size_t i)
                                    {
-      samples[i].spacing = lattice_spacing(wanted.density[selected[i]]);
+      samples[i].spacing = lattice_spacing(wanted.density[wanted.ranges.range_of(selected[i])]);
       samples[i].noise = noise.at(selected[i]);
     });
   }

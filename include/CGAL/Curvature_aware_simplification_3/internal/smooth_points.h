@@ -120,7 +120,8 @@ Noise_levels noise_left(const Noise_levels& noise, const std::vector<double>& va
                                  [&](std::size_t range)
                                  {
     Noise& here = left.of_range[range];
-    const std::size_t begin = left.first_point(range), end = left.first_point(range + 1);
+    const std::size_t begin = left.ranges().first_point(range);
+    const std::size_t end = left.ranges().first_point(range + 1);
     if (!here.is_visible || begin == end) // not smoothed, or more ranges than points
       return;
     here.independent_level = here.level / std::sqrt(static_cast<double>(step));

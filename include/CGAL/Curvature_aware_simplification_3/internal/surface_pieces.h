@@ -6,6 +6,7 @@
 #ifndef CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_SURFACE_PIECES_H
 #define CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_SURFACE_PIECES_H
 
+#include <CGAL/Curvature_aware_simplification_3/internal/Curve_ranges.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Neighbor_search.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/features.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/loops.h>
@@ -47,11 +48,11 @@ Surface_pieces surface_pieces(const std::vector<Point>& points,
   Surface_pieces pieces{
       std::vector<Point>(number_of_pieces), std::vector<Eigen::Matrix3d>(number_of_pieces),
       std::vector<double>(number_of_pieces), std::vector<double>(number_of_pieces)};
+  const Curve_ranges ranges{number_of_pieces, points.size()};
   for_each_index<ConcurrencyTag>(0, number_of_pieces,
                                  [&](std::size_t i)
                                  {
-    const std::size_t begin = i * points.size() / number_of_pieces;
-    const std::size_t end = (i + 1) * points.size() / number_of_pieces;
+    const std::size_t begin = ranges.first_point(i), end = ranges.first_point(i + 1);
     const double number = static_cast<double>(end - begin);
     Vector sum(0., 0., 0.);
     double area = 0.;
