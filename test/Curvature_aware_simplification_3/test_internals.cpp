@@ -423,41 +423,73 @@ std::vector<std::vector<Point>> distributions()
   return {cube, lattice, line, clusters, {Point(1, 2, 3)}};
 }
 
+// without the points that are hidden
+void expect_neighbors_as_by_brute_force(const Neighbor_search& search,
+                                        const std::vector<Point>& points,
+                                        const std::vector<std::uint8_t>& is_hidden)
+{
+  for (std::size_t q = 0; q < points.size(); q += 17)
+  {
+    const Point query = points[q] + Vector(1e-3, 0., 0.);
+    std::vector<double> all, sorted;
+    for (std::size_t i = 0; i < points.size(); ++i)
+    {
+      all.push_back(CGAL::squared_distance(query, points[i]));
+      if (is_hidden[i] == 0)
+        sorted.push_back(all[i]);
+    }
+    std::sort(sorted.begin(), sorted.end());
+
+    const std::size_t k = std::min<std::size_t>(17, sorted.size());
+    std::vector<double> nearest;
+    search.for_each_nearest(query, k,
+                            [&](std::size_t i, const Point& p, double squared_distance)
+                            {
+      EXPECT_EQ(is_hidden[i], 0);
+      EXPECT_EQ(p, points[i]);
+      EXPECT_DOUBLE_EQ(squared_distance, all[i]);
+      nearest.push_back(all[i]);
+    });
+    std::sort(nearest.begin(), nearest.end());
+    sorted.resize(k);
+    EXPECT_EQ(nearest, sorted); // distances and not indices: ties have no order
+
+    const double radius = 1.001 * std::sqrt(sorted.back());
+    std::set<std::size_t> expected, found;
+    for (std::size_t i = 0; i < points.size(); ++i)
+      if (is_hidden[i] == 0 && all[i] <= radius * radius)
+        expected.insert(i);
+    search.for_each_within(query, radius,
+                           [&](std::size_t i, const Point&, double) { found.insert(i); });
+    EXPECT_EQ(found, expected);
+  }
+}
+
 TEST(Neighbor_search, agrees_with_brute_force)
 {
   for (const std::vector<Point>& points : distributions())
   {
-    const Neighbor_search search(points, Tag());
-    for (std::size_t q = 0; q < points.size(); q += 17)
+    Neighbor_search search(points, Tag());
+    const std::size_t n = points.size();
+    std::vector<std::uint8_t> is_hidden(n, 0);
+    expect_neighbors_as_by_brute_force(search, points, is_hidden);
+    // every third; all near one; all but one
+    for (std::size_t i = 1; i < n; i += 3)
+      is_hidden[i] = 1;
+    search.hide(is_hidden);
+    expect_neighbors_as_by_brute_force(search, points, is_hidden);
+    std::vector<std::size_t> by_distance(n);
+    std::iota(by_distance.begin(), by_distance.end(), std::size_t(0));
+    std::sort(by_distance.begin(), by_distance.end(),
+              [&](std::size_t i, std::size_t j)
+              { return CGAL::has_smaller_distance_to_point(points[0], points[i], points[j]); });
+    for (std::size_t hidden : {n / 2, n - 1})
     {
-      const Point query = points[q] + Vector(1e-3, 0., 0.);
-      std::vector<double> all;
-      for (const Point& p : points)
-        all.push_back(CGAL::squared_distance(query, p));
-      std::vector<double> sorted = all;
-      std::sort(sorted.begin(), sorted.end());
-
-      const std::size_t k = std::min<std::size_t>(17, points.size());
-      std::vector<double> nearest;
-      search.for_each_nearest(query, k,
-                              [&](std::size_t i, const Point& p, double squared_distance)
-                              {
-        EXPECT_EQ(p, points[i]);
-        EXPECT_DOUBLE_EQ(squared_distance, all[i]);
-        nearest.push_back(all[i]);
-      });
-      std::sort(nearest.begin(), nearest.end());
-      sorted.resize(k);
-      EXPECT_EQ(nearest, sorted); // distances and not indices: ties have no order
-
-      const double radius = 1.001 * std::sqrt(sorted.back());
-      std::set<std::size_t> expected, found;
-      for (std::size_t i = 0; i < points.size(); ++i)
-        if (all[i] <= radius * radius)
-          expected.insert(i);
-      search.for_each_within(query, radius,
-                             [&](std::size_t i, const Point&, double) { found.insert(i); });
-      EXPECT_EQ(found, expected);
+      std::fill(is_hidden.begin(), is_hidden.end(), std::uint8_t(0));
+      for (std::size_t i = 0; i < hidden; ++i)
+        is_hidden[by_distance[i]] = 1;
+      search.hide(is_hidden);
+      expect_neighbors_as_by_brute_force(search, points, is_hidden);
     }
   }
 }

@@ -16,11 +16,13 @@
 #include <CGAL/Splitters.h>
 #include <CGAL/property_map.h>
 
-#include <boost/iterator/counting_iterator.hpp>
 #include <boost/iterator/function_output_iterator.hpp>
 
+#include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <functional>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -32,48 +34,74 @@ using Computation_kernel = Simple_cartesian<double>;
 using Point = Computation_kernel::Point_3;
 using Vector = Computation_kernel::Vector_3;
 
-// The nearest points, and the points in a ball, of a vector of points that outlives the search and
-// is not changed meanwhile. Neighbors are handed to a functor and never stored.
+// The nearest points, and the points in a ball, of a vector of points, which the search copies with their
+// indices: in the order of the tree, they take no more memory than CGAL's cache of their coordinates, and
+// are at hand for what is done with neighbors. Neighbors are handed to a functor and never stored.
 class Neighbor_search
 {
 public:
   // O(n log n)
   template <typename ConcurrencyTag>
   Neighbor_search(const std::vector<Point>& points, const ConcurrencyTag&)
-    : m_points(points.data()),
-      m_tree(boost::counting_iterator<std::size_t>(0),
-             boost::counting_iterator<std::size_t>(points.size()), Splitter(points_in_leaf),
-             Traits(Point_map(points.data())))
+    : m_tree(Splitter(points_in_leaf), Traits())
   {
+    m_tree.reserve(points.size());
+    for (std::size_t i = 0; i < points.size(); ++i)
+      m_tree.insert({points[i], i});
     m_tree.template build<ConcurrencyTag>();
   }
+
+  // From now on, points with is_hidden[index] != 0 are no neighbors. As long as they are few, that takes less
+  // time than a new tree.
+  void hide(std::vector<std::uint8_t> is_hidden) { m_is_hidden = std::move(is_hidden); }
 
   // function(index, point, squared distance) for the k nearest points, in no particular order.
   // A point at the query itself counts as a neighbor.
   template <typename Function>
   void for_each_nearest(const Point& query, std::size_t k, const Function& function) const
   {
-    const K_neighbor_search search(m_tree, query, static_cast<unsigned int>(k), 0., true,
-                                   Distance(m_tree.traits().point_property_map()), false);
-    for (const auto& neighbor : search)
-      function(neighbor.first, m_points[neighbor.first], neighbor.second);
+    // If there are hidden points among them, as many more are asked for. These come in order, since where
+    // some are equally far, there may be too many of them.
+    for (std::size_t wanted = k;;)
+    {
+      const K_neighbor_search search(m_tree, query, static_cast<unsigned int>(wanted), 0., true,
+                                     Distance(m_tree.traits().point_property_map()), wanted > k);
+      const std::size_t hidden = number_of_hidden(search);
+      if (wanted < k + hidden && wanted < m_tree.size())
+      {
+        wanted = k + hidden;
+        continue;
+      }
+      std::size_t left = k;
+      for (const auto& neighbor : search)
+        if (left > 0 && (hidden == 0 || !is_hidden(neighbor.first)))
+        {
+          function(neighbor.first.second, neighbor.first.first, neighbor.second);
+          --left;
+        }
+      return;
+    }
   }
 
   // function(index, point, squared distance) for all points in the closed ball, in no particular order
   template <typename Function>
   void for_each_within(const Point& center, double radius, const Function& function) const
   {
-    const auto visit = [&](std::size_t i)
-    { function(i, m_points[i], squared_distance(center, m_points[i])); };
+    const auto visit = [&](const Point_with_index& p)
+    {
+      if (!is_hidden(p))
+        function(p.second, p.first, squared_distance(center, p.first));
+    };
     // by reference, since CGAL assigns output iterators, and a lambda cannot be assigned
     m_tree.search(boost::make_function_output_iterator(std::cref(visit)),
                   Ball(center, radius, 0., m_tree.traits()));
   }
 
 private:
-  using Point_map = Pointer_property_map<Point>::const_type;
+  using Point_with_index = std::pair<Point, std::size_t>;
+  using Point_map = First_of_pair_property_map<Point_with_index>;
   using Base_traits = Search_traits_3<Computation_kernel>;
-  using Traits = Search_traits_adapter<std::size_t, Point_map, Base_traits>;
+  using Traits = Search_traits_adapter<Point_with_index, Point_map, Base_traits>;
 
   // Halves the bounding box of the points and not the cell that they are in, as Sliding_midpoint does: a
   // surface leaves most of a cell empty, and a whole call takes 3 % less. Like that one, and unlike its
@@ -109,13 +137,27 @@ private:
   // long or up to a tenth less; with 32 they are no faster.
   static constexpr unsigned int points_in_leaf = 24;
 
-  using Tree = Kd_tree<Traits, Splitter, Tag_true, Tag_true /* cache of coordinates */>;
-  using Distance = Distance_adapter<std::size_t, Point_map, Distance_in_space>;
+  using Tree = Kd_tree<Traits, Splitter>;
+  using Distance = Distance_adapter<Point_with_index, Point_map, Distance_in_space>;
   using K_neighbor_search = Orthogonal_k_neighbor_search<Traits, Distance, Splitter, Tree>;
   using Ball = Fuzzy_sphere<Traits>;
 
-  const Point* m_points;
+  bool is_hidden(const Point_with_index& p) const
+  {
+    return !m_is_hidden.empty() && m_is_hidden[p.second] != 0;
+  }
+
+  std::size_t number_of_hidden(const K_neighbor_search& search) const
+  {
+    if (m_is_hidden.empty())
+      return 0;
+    return static_cast<std::size_t>(std::count_if(search.begin(), search.end(),
+                                                  [&](const auto& neighbor)
+                                                  { return is_hidden(neighbor.first); }));
+  }
+
   Tree m_tree;
+  std::vector<std::uint8_t> m_is_hidden; // by index; empty if none is
 };
 
 } // namespace internal

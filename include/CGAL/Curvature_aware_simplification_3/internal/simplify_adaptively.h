@@ -67,21 +67,19 @@ Distinct_samples simplify_adaptively(Cloud cloud, std::unique_ptr<Neighbor_searc
   const std::size_t k = neighborhood_size(parameters.number_of_neighbors, distinct) - 1;
   if (settings.find_outliers)
   {
-    const std::vector<std::uint8_t> is_outlier =
-        find_outliers<ConcurrencyTag>(cloud, *search, shared, k);
+    std::vector<std::uint8_t> is_outlier = find_outliers<ConcurrencyTag>(cloud, *search, shared, k);
     const std::size_t outliers = reduce_indices<ConcurrencyTag>(
         distinct, std::size_t(0), [&](std::size_t i) { return std::size_t(is_outlier[i]); },
         std::plus<std::size_t>());
     // What most points are is no outlier, and each sample needs a point to start from.
     if (outliers > 0 && distinct - outliers >= (std::max)(number_of_samples, (distinct + 1) / 2))
     {
-      search.reset();
       const std::vector<std::size_t> kept = indices_where<ConcurrencyTag>(
           distinct, [&](std::size_t i) { return is_outlier[i] == 0; });
       points = elements_at<ConcurrencyTag>(kept, points);
       features.curvature = elements_at<ConcurrencyTag>(kept, features.curvature);
       features.inverse_density = elements_at<ConcurrencyTag>(kept, features.inverse_density);
-      search.reset(new Neighbor_search(points, ConcurrencyTag()));
+      search->hide(std::move(is_outlier)); // from here on, nobody asks for indices of neighbors
     }
   }
   shared.votes = std::vector<std::uint32_t>();
