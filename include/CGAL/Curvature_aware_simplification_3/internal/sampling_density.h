@@ -31,10 +31,10 @@ namespace internal {
 struct Sampling_density
 {
   Curve_ranges ranges;
-  std::vector<double> density; // their integral over the surface is N
-  std::vector<double>
-      weight; // of each point of a range: density times the area of the surface that it
-              // stands for; more on borders
+  // Their integral over the surface is N.
+  std::vector<double> density;
+  // Of each point of a range: density times the area of the surface that it stands for, more on borders.
+  std::vector<double> weight;
 };
 
 // The spacing of a hexagonal lattice with a density of points: s^2 = 2 / (sqrt(3) density)

@@ -40,6 +40,39 @@ namespace CGAL {
 namespace Curvature_aware_simplification_3 {
 namespace internal {
 
+// Leaves out outliers, and what is known of them: from the search as well, whose indices mean nothing any
+// more. `shared` keeps the features only.
+template <typename ConcurrencyTag>
+void remove_outliers(Cloud& cloud, std::unique_ptr<Neighbor_search>& search,
+                     Shared_features& shared, std::size_t k, std::size_t number_of_samples)
+{
+  const std::size_t n = cloud.size();
+  std::vector<std::uint8_t> is_outlier = find_outliers<ConcurrencyTag>(cloud, *search, shared, k);
+  shared.votes = std::vector<std::uint32_t>();
+  shared.represented = std::vector<std::uint8_t>();
+  std::vector<std::size_t> kept =
+      indices_where<ConcurrencyTag>(n, [&](std::size_t i) { return is_outlier[i] == 0; });
+  // What most points are is no outlier, and each sample needs a point to start from.
+  if (kept.size() == n || kept.size() < (std::max)(number_of_samples, (n + 1) / 2))
+    return;
+
+  // To hide outliers saves a tree, an eighth of a call; but each search that meets one is done again, and
+  // with noise, when 3 % may be taken for outliers and all points are smoothed, these are most of them.
+  const bool are_few = n - kept.size() <= n / 1000;
+  if (are_few)
+    search->hide(std::move(is_outlier));
+  else
+    search.reset();
+  is_outlier = std::vector<std::uint8_t>();
+  cloud.points = elements_at<ConcurrencyTag>(kept, cloud.points);
+  Features& features = shared.features;
+  features.curvature = elements_at<ConcurrencyTag>(kept, features.curvature);
+  features.inverse_density = elements_at<ConcurrencyTag>(kept, features.inverse_density);
+  kept = std::vector<std::size_t>();
+  if (!are_few)
+    search.reset(new Neighbor_search(cloud.points, ConcurrencyTag()));
+}
+
 // The samples, in the frame. All that the stages need is measured in the input: outliers, noise,
 // density, curvature at the distance of the samples. Takes what it is given, and lets go of each part
 // when it is not needed any more: the search tree is as large as all else.
@@ -66,24 +99,7 @@ Distinct_samples simplify_adaptively(Cloud cloud, std::unique_ptr<Neighbor_searc
   const std::size_t distinct = points.size();
   const std::size_t k = neighborhood_size(parameters.number_of_neighbors, distinct) - 1;
   if (settings.find_outliers)
-  {
-    std::vector<std::uint8_t> is_outlier = find_outliers<ConcurrencyTag>(cloud, *search, shared, k);
-    const std::size_t outliers = reduce_indices<ConcurrencyTag>(
-        distinct, std::size_t(0), [&](std::size_t i) { return std::size_t(is_outlier[i]); },
-        std::plus<std::size_t>());
-    // What most points are is no outlier, and each sample needs a point to start from.
-    if (outliers > 0 && distinct - outliers >= (std::max)(number_of_samples, (distinct + 1) / 2))
-    {
-      const std::vector<std::size_t> kept = indices_where<ConcurrencyTag>(
-          distinct, [&](std::size_t i) { return is_outlier[i] == 0; });
-      points = elements_at<ConcurrencyTag>(kept, points);
-      features.curvature = elements_at<ConcurrencyTag>(kept, features.curvature);
-      features.inverse_density = elements_at<ConcurrencyTag>(kept, features.inverse_density);
-      search->hide(std::move(is_outlier)); // from here on, nobody asks for indices of neighbors
-    }
-  }
-  shared.votes = std::vector<std::uint32_t>();
-  shared.represented = std::vector<std::uint8_t>();
+    remove_outliers<ConcurrencyTag>(cloud, search, shared, k, number_of_samples);
   report.number_of_outliers = distinct - points.size();
   report.outliers_time = stopwatch.lap();
 
