@@ -827,12 +827,13 @@ TEST(Smoothing, takes_what_residuals_show_beyond_the_noise_for_shape)
   // Heights of +-0.03 in turn, of which a quadric explains nothing: the variance of n residuals is theirs,
   // times n / (n - 6), and the center, a point at 5, has no say.
   Neighborhood neighborhood;
-  neighborhood.neighbors.push_back({Vector(0., 0., 5.), 25., 1.});
+  neighborhood.neighbors.push_back({Vector(0., 0., 5.), 0., 1.});
   for (int i = 0; i < 12; ++i)
     neighborhood.neighbors.push_back({Vector(1., i, i % 2 == 0 ? 0.03 : -0.03), 1. + i * i, 0.5});
-  neighborhood.neighbors[0].squared_distance = 0.;
   EXPECT_NEAR(variance_of_residuals(neighborhood, Local_surface()), 2. * 0.0009, 1e-12);
-  neighborhood.neighbors.resize(7); // six residuals tell nothing
+  neighborhood.neighbors.resize(7); // six residuals, as many as there are coefficients, tell little
+  EXPECT_NEAR(variance_of_residuals(neighborhood, Local_surface()), 6. * 0.0009, 1e-12);
+  neighborhood.neighbors.resize(1);
   EXPECT_EQ(variance_of_residuals(neighborhood, Local_surface()), 0.);
 
   const std::vector<Point> points = surfaces::square(10, 76);
@@ -843,6 +844,7 @@ TEST(Smoothing, takes_what_residuals_show_beyond_the_noise_for_shape)
   EXPECT_EQ(share_explained_by_noise(fit, 90.), 0.25);
 }
 
+// distance to the nearest edge of the cube [0, 1]^3: the two smaller distances to its planes
 double distance_to_edge(const Point& p)
 {
   double d[3];
@@ -867,22 +869,25 @@ TEST(Smoothing, does_not_round_sharp_edges_more_than_noise_does)
   const double sigma = 0.0005;
   const std::vector<Point> exact = cube(100000, 88);
   const std::vector<Point> points = with_noise(exact, sigma, 89);
-  const auto error_near_edges = [&](double residuals_explained_by_noise)
+  const auto error_in_sigma = [&](bool near_edges, double residuals_explained_by_noise)
   {
     Adaptive_settings settings;
     settings.residuals_explained_by_noise = residuals_explained_by_noise;
     const Smoothed result = smoothed(points, sigma, 10000, settings);
+    EXPECT_EQ(result.points.size(), points.size());
     double sum = 0., number = 0.;
-    for (std::size_t i = 0; i < points.size(); ++i)
-      if (distance_to_edge(exact[i]) < 0.004)
+    for (std::size_t i = 0; i < result.points.size(); ++i)
+      if (near_edges ? distance_to_edge(exact[i]) < 0.004 : distance_to_edge(exact[i]) > 0.05)
       {
         sum += std::pow(distance_to_cube(result.points[i]), 2);
         number += 1.;
       }
     return std::sqrt(sum / number) / sigma;
   };
-  EXPECT_LT(error_near_edges(Adaptive_settings().residuals_explained_by_noise), 1.05);
-  EXPECT_GT(error_near_edges(1e300), 1.3);
+  const double standard = Adaptive_settings().residuals_explained_by_noise;
+  EXPECT_LT(error_in_sigma(true, standard), 1.05);
+  EXPECT_GT(error_in_sigma(true, 1e300), 1.3);
+  EXPECT_LT(error_in_sigma(false, standard), 0.55);
 }
 
 TEST(Smoothing, makes_narrow_fits_no_better_than_the_points_are)
@@ -1332,7 +1337,6 @@ TEST(Fold, is_seen_by_samples_on_both_sides)
   EXPECT_FALSE(is_seen(many));
 }
 
-// distance to the nearest edge of the cube [0, 1]^3: the two smaller distances to its planes
 TEST(Adaptive, puts_samples_on_sharp_edges)
 {
   // The samples are 0.054 apart if uniform, edges have a length of 12.

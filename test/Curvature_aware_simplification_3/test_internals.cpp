@@ -440,7 +440,7 @@ void expect_neighbors_as_by_brute_force(const Neighbor_search& search,
     }
     std::sort(sorted.begin(), sorted.end());
 
-    const std::size_t k = std::min<std::size_t>(17, sorted.size());
+    const std::size_t k = 17; // or as many as there are
     std::vector<double> nearest;
     search.for_each_nearest(query, k,
                             [&](std::size_t i, const Point& p, double squared_distance)
@@ -451,7 +451,7 @@ void expect_neighbors_as_by_brute_force(const Neighbor_search& search,
       nearest.push_back(all[i]);
     });
     std::sort(nearest.begin(), nearest.end());
-    sorted.resize(k);
+    sorted.resize((std::min)(k, sorted.size()));
     EXPECT_EQ(nearest, sorted); // distances and not indices: ties have no order
 
     const double radius = 1.001 * std::sqrt(sorted.back());

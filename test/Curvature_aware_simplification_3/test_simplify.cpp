@@ -152,6 +152,19 @@ TEST_P(Both_methods, result_is_bitwise_the_same_for_every_tag_and_number_of_thre
   }
   EXPECT_EQ(subset<CGAL::Sequential_tag>(points), subset<CGAL::Parallel_tag>(points));
 #endif
+  // few outliers, which are hidden, and many with noise: they are removed, and points smoothed
+  CGAL::Random random(3);
+  for (double sigma : {0., 0.02})
+  {
+    std::vector<Point> scan;
+    for (const Point& p : points)
+      scan.push_back(p + sigma * Vector(surfaces::normal_deviate(random), 0., 0.));
+    for (std::size_t i = 0; i < (sigma > 0. ? 3000u : 10u); ++i)
+      scan.emplace_back(random.uniform_real(-9., 9.), random.uniform_real(-9., 9.),
+                        random.uniform_real(-9., 9.));
+    EXPECT_EQ(simplified<CGAL::Sequential_tag>(scan, parameters),
+              simplified<CGAL::Parallel_if_available_tag>(scan, parameters));
+  }
   // nor does it matter whether somebody watches
   EXPECT_EQ(sequential, simplified(points, parameters.callback([](double) { return true; })));
 }

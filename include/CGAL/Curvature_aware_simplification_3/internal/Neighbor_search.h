@@ -14,6 +14,7 @@
 #include <CGAL/Search_traits_adapter.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Splitters.h>
+#include <CGAL/assertions.h>
 #include <CGAL/property_map.h>
 
 #include <boost/iterator/function_output_iterator.hpp>
@@ -35,8 +36,9 @@ using Point = Computation_kernel::Point_3;
 using Vector = Computation_kernel::Vector_3;
 
 // The nearest points, and the points in a ball, of a vector of points, which the search copies with their
-// indices: in the order of the tree, they take no more memory than CGAL's cache of their coordinates, and
-// are at hand for what is done with neighbors. Neighbors are handed to a functor and never stored.
+// indices: in the order of the tree, they are at hand for what is done with neighbors, and take no more
+// memory than indices and CGAL's cache of coordinates (72 bytes instead of 48 while it is built). Neighbors
+// are handed to a functor and never stored: its arguments end with the call.
 class Neighbor_search
 {
 public:
@@ -53,15 +55,19 @@ public:
 
   // From now on, points with is_hidden[index] != 0 are no neighbors. As long as they are few, that takes less
   // time than a new tree.
-  void hide(std::vector<std::uint8_t> is_hidden) { m_is_hidden = std::move(is_hidden); }
+  void hide(std::vector<std::uint8_t> is_hidden)
+  {
+    CGAL_precondition(is_hidden.size() == m_tree.size());
+    m_is_hidden = std::move(is_hidden);
+  }
 
   // function(index, point, squared distance) for the k nearest points, in no particular order.
   // A point at the query itself counts as a neighbor.
   template <typename Function>
   void for_each_nearest(const Point& query, std::size_t k, const Function& function) const
   {
-    // If there are hidden points among them, as many more are asked for. These come in order, since where
-    // some are equally far, there may be too many of them.
+    // If there are hidden points among them, twice as many more are asked for, so that few rounds do in the
+    // midst of many. These come in order, and the first k count.
     for (std::size_t wanted = k;;)
     {
       const K_neighbor_search search(m_tree, query, static_cast<unsigned int>(wanted), 0., true,
@@ -69,7 +75,7 @@ public:
       const std::size_t hidden = number_of_hidden(search);
       if (wanted < k + hidden && wanted < m_tree.size())
       {
-        wanted = k + hidden;
+        wanted = (std::min)(k + 2 * hidden, m_tree.size());
         continue;
       }
       std::size_t left = k;

@@ -11,6 +11,8 @@
 #include <CGAL/Curvature_aware_simplification_3/internal/loops.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/scan.h>
 
+#include <CGAL/assertions.h>
+
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
@@ -20,20 +22,21 @@ namespace CGAL {
 namespace Curvature_aware_simplification_3 {
 namespace internal {
 
-// Exactly `number` of the points, in their order, with probabilities proportional to the weight, which is that
-// of their range of the Hilbert curve: systematic sampling. The curve is cut into pieces of equal weight,
+// Exactly `number` of the points, in their order, with probabilities proportional to their weight, `point_weight`
+// of their range of the Hilbert curve: systematic sampling. No range is empty. The curve is cut into pieces of equal weight,
 // and one point is taken of each. Independent draws (paper, sec. 4.1) have the same probabilities, but
 // leave clusters and gaps, and must be trimmed to the count; here every compact piece of the surface
 // gets its share up to one sample.
 template <typename ConcurrencyTag>
 std::vector<std::size_t> select_along_curve(const Curve_ranges& ranges,
-                                            const std::vector<double>& weight_of_points,
+                                            const std::vector<double>& point_weight,
                                             std::size_t number, std::uint64_t seed)
 {
+  CGAL_precondition(ranges.number <= ranges.number_of_points);
   std::vector<double> sum(ranges.number); // of the weights up to the end of the range
   for_each_index<ConcurrencyTag>(0, ranges.number,
                                  [&](std::size_t i) {
-    sum[i] = weight_of_points[i] * static_cast<double>(ranges.size(i));
+    sum[i] = point_weight[i] * static_cast<double>(ranges.size(i));
   });
   sum_up<ConcurrencyTag>(sum);
   const double piece = sum.back() / static_cast<double>(number);
@@ -51,7 +54,7 @@ std::vector<std::size_t> select_along_curve(const Curve_ranges& ranges,
     const double before = range == 0 ? 0. : sum[range - 1];
     const double last = static_cast<double>(ranges.size(range) - 1);
     const double in_range =
-        wanted > before ? (std::min)((wanted - before) / weight_of_points[range], last) : 0.;
+        wanted > before ? (std::min)((wanted - before) / point_weight[range], last) : 0.;
     selected[j] = ranges.first_point(range) + static_cast<std::size_t>(in_range);
   });
   // a point heavier than a piece is taken once

@@ -31,7 +31,6 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <functional>
 #include <memory>
 #include <utility>
 #include <vector>
@@ -40,8 +39,8 @@ namespace CGAL {
 namespace Curvature_aware_simplification_3 {
 namespace internal {
 
-// Leaves out outliers, and what is known of them: from the search as well, whose indices mean nothing any
-// more. `shared` keeps the features only.
+// Leaves out outliers, and what is known of them: from the search as well, whose indices may not be those of
+// the points any more. `shared` keeps the features only. Where points come from is not asked any more.
 template <typename ConcurrencyTag>
 void remove_outliers(Cloud& cloud, std::unique_ptr<Neighbor_search>& search,
                      Shared_features& shared, std::size_t k, std::size_t number_of_samples)

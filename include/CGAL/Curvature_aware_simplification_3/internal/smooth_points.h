@@ -48,19 +48,21 @@ inline double variance_of_residuals(const Neighborhood& neighborhood, const Loca
     sum_of_squares += neighbor.weight * neighbor.weight;
     sum_of_residuals += neighbor.weight * residual * residual;
   }
+  if (!(sum > 0.))
+    return 0.;
   // so many neighbors of equal weight would tell as much; the quadric used up 6
   const double n = sum * sum / sum_of_squares;
-  return n > 6. ? sum_of_residuals / sum * n / (n - 6.) : 0.;
+  return sum_of_residuals / sum * n / (std::max)(n - 6., 1.);
 }
 
 // How much of the way from a point to the foot point brings it nearer to the surface, as in Lee's filter for
-// images: sigma^2 / s^2, where s^2 is the variance of the residuals. On a sharp edge, a quadric is off
-// by as much as they are, and the point itself by sigma only.
-inline double share_explained_by_noise(const Surface_fit& fit, double variance_of_residuals)
+// images: sigma^2 / s^2, where s^2 is the variance of the residuals, or 1 where that is no more than noise by
+// chance. On a sharp edge, a quadric is off by as much as they are, and the point itself by sigma only.
+inline double share_explained_by_noise(const Surface_fit& fit, double residual_variance)
 {
   const double explained =
       fit.settings.residuals_explained_by_noise * fit.noise.level * fit.noise.level;
-  return variance_of_residuals > explained ? explained / variance_of_residuals : 1.;
+  return residual_variance > explained ? explained / residual_variance : 1.;
 }
 
 // x moved to the foot point on the quadric through its neighbors, as far as noise explains; x itself where its
@@ -133,7 +135,7 @@ Noise_levels noise_left(const Noise_levels& noise, const std::vector<double>& va
   return left;
 }
 
-// Moves points with visible noise onto local surfaces, so that less of it is left and later fits can be
+// Moves points with visible noise towards local surfaces, so that less of it is left and later fits can be
 // narrower: in balls of 7 sigma, shape is lost. Thins points that are dense against the noise. Returns what
 // is left of it.
 template <typename ConcurrencyTag>
