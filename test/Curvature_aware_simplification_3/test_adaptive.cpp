@@ -12,6 +12,7 @@
 #include <CGAL/Curvature_aware_simplification_3/internal/measure_noise.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/move_to_edges.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/relax_on_surface.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/remove_outliers.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/sampling_density.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/select_along_curve.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/shared_features.h>
@@ -31,6 +32,7 @@
 #include <functional>
 #include <iterator>
 #include <limits>
+#include <memory>
 #include <random>
 #include <set>
 #include <utility>
@@ -922,6 +924,32 @@ TEST(Outliers, are_found)
     }
     EXPECT_GT(found, 0.99 * there) << noise;
     EXPECT_LT(false_alarms, 0.01 * 20000) << noise;
+  }
+}
+
+TEST(Outliers, are_no_neighbors_once_they_are_removed)
+{
+  for (std::size_t number : {5u, 2000u}) // hidden in the search, and a new one
+  {
+    std::vector<Point> points = surfaces::sphere(20000, 12);
+    add_outliers(points, number, 3., 14);
+    Cloud cloud = make_cloud<Tag>(points, 1e-16);
+    const std::vector<Point> all = cloud.points;
+    std::unique_ptr<Neighbor_search> search(new Neighbor_search(all, Tag()));
+    Shared_features shared = shared_features_of(cloud, *search);
+    remove_outliers<Tag>(cloud, search, shared, 16, 100);
+    EXPECT_LT(cloud.size(), all.size());
+    EXPECT_GT(cloud.size(), 19900u);
+    EXPECT_EQ(shared.features.curvature.size(), cloud.size());
+    EXPECT_EQ(shared.features.inverse_density.size(), cloud.size());
+    const std::set<Point> kept(cloud.points.begin(), cloud.points.end());
+    for (const Point& query : all)
+      search->for_each_nearest(query, 1,
+                               [&](std::size_t, const Point& p, double squared_distance)
+                               {
+        EXPECT_EQ(kept.count(p), 1u);
+        EXPECT_EQ(squared_distance == 0., kept.count(query) == 1u);
+      });
   }
 }
 

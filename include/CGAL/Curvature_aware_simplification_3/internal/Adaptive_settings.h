@@ -25,9 +25,10 @@ struct Adaptive_settings
   // With noise, points are first smoothed one by one.
   bool smooth_points = true;
   // Residuals of up to so many times the variance of the noise are taken for noise. More are shape, and
-  // points are smoothed less. That of 24 residuals scatters by a half: by their weights they count as 13, of which
-  // 6 are used up. From 2 to 3, the error near the edges of a cube is the same within 3 %. With 2, sharp edges of CAD parts
-  // gain more, but of two scans that do not fit together, more remains of the distance between them.
+  // points are smoothed less. The variance of 24 residuals scatters by a half: by their weights they count
+  // as 13, of which 6 are used up. From 2 to 3, the error near the edges of a cube is the same within 3 %.
+  // With 2, sharp edges of CAD parts gain more, but of two scans that do not fit together, more remains of
+  // the distance between them.
   double residuals_explained_by_noise = 2.5;
 
   // Radius of the balls in which curvature is measured for the density, in output spacings. Balls of

@@ -22,11 +22,11 @@ namespace CGAL {
 namespace Curvature_aware_simplification_3 {
 namespace internal {
 
-// Exactly `number` of the points, in their order, with probabilities proportional to their weight, `point_weight`
-// of their range of the Hilbert curve: systematic sampling. No range is empty. The curve is cut into pieces of equal weight,
-// and one point is taken of each. Independent draws (paper, sec. 4.1) have the same probabilities, but
-// leave clusters and gaps, and must be trimmed to the count; here every compact piece of the surface
-// gets its share up to one sample.
+// Exactly `number` of the points, in their order, with probabilities proportional to their weight, which is
+// the `point_weight` of their range of the Hilbert curve: systematic sampling. The curve is cut into pieces
+// of equal weight, and one point is taken of each. Independent draws (paper, sec. 4.1) have the same
+// probabilities, but leave clusters and gaps, and must be trimmed to the count; here every compact piece of
+// the surface gets its share up to one sample. No range is empty.
 template <typename ConcurrencyTag>
 std::vector<std::size_t> select_along_curve(const Curve_ranges& ranges,
                                             const std::vector<double>& point_weight,
@@ -53,6 +53,7 @@ std::vector<std::size_t> select_along_curve(const Curve_ranges& ranges,
         ranges.number - 1);
     const double before = range == 0 ? 0. : sum[range - 1];
     const double last = static_cast<double>(ranges.size(range) - 1);
+    // where nothing is wanted beyond `before`, the weight may be 0
     const double in_range =
         wanted > before ? (std::min)((wanted - before) / point_weight[range], last) : 0.;
     selected[j] = ranges.first_point(range) + static_cast<std::size_t>(in_range);

@@ -11,7 +11,6 @@
 #include <CGAL/Curvature_aware_simplification_3/internal/Stopwatch.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/denoise_samples.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/features.h>
-#include <CGAL/Curvature_aware_simplification_3/internal/find_outliers.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/loops.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/measure_noise.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/move_to_corners.h>
@@ -19,6 +18,7 @@
 #include <CGAL/Curvature_aware_simplification_3/internal/move_to_targets.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/parameters.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/relax_on_surface.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/remove_outliers.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/sampling_density.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/scan.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/select_along_curve.h>
@@ -28,49 +28,14 @@
 
 #include <CGAL/Curvature_aware_simplification_report.h>
 
-#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
-#include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace Curvature_aware_simplification_3 {
 namespace internal {
-
-// Leaves out outliers, and what is known of them: from the search as well, whose indices may not be those of
-// the points any more. `shared` keeps the features only. Where points come from is not asked any more.
-template <typename ConcurrencyTag>
-void remove_outliers(Cloud& cloud, std::unique_ptr<Neighbor_search>& search,
-                     Shared_features& shared, std::size_t k, std::size_t number_of_samples)
-{
-  const std::size_t n = cloud.size();
-  std::vector<std::uint8_t> is_outlier = find_outliers<ConcurrencyTag>(cloud, *search, shared, k);
-  shared.votes = std::vector<std::uint32_t>();
-  shared.represented = std::vector<std::uint8_t>();
-  std::vector<std::size_t> kept =
-      indices_where<ConcurrencyTag>(n, [&](std::size_t i) { return is_outlier[i] == 0; });
-  // What most points are is no outlier, and each sample needs a point to start from.
-  if (kept.size() == n || kept.size() < (std::max)(number_of_samples, (n + 1) / 2))
-    return;
-
-  // To hide outliers saves a tree, an eighth of a call; but each search that meets one is done again, and
-  // with noise, when 3 % may be taken for outliers and all points are smoothed, these are most of them.
-  const bool are_few = n - kept.size() <= n / 1000;
-  if (are_few)
-    search->hide(std::move(is_outlier));
-  else
-    search.reset();
-  is_outlier = std::vector<std::uint8_t>();
-  cloud.points = elements_at<ConcurrencyTag>(kept, cloud.points);
-  Features& features = shared.features;
-  features.curvature = elements_at<ConcurrencyTag>(kept, features.curvature);
-  features.inverse_density = elements_at<ConcurrencyTag>(kept, features.inverse_density);
-  kept = std::vector<std::size_t>();
-  if (!are_few)
-    search.reset(new Neighbor_search(cloud.points, ConcurrencyTag()));
-}
 
 // The samples, in the frame. All that the stages need is measured in the input: outliers, noise,
 // density, curvature at the distance of the samples. Takes what it is given, and lets go of each part

@@ -65,8 +65,8 @@ inline double share_explained_by_noise(const Surface_fit& fit, double residual_v
   return residual_variance > explained ? explained / residual_variance : 1.;
 }
 
-// x moved to the foot point on the quadric through its neighbors, as far as noise explains; x itself where its
-// noise is not visible, or they tell nothing of it
+// x moved to the foot point on the quadric through its neighbors, as far as noise explains; x itself where
+// its noise is not visible, or they tell nothing of it
 inline Smoothed_point smooth_point(const Surface_fit& fit, const Point& x, double inverse_density)
 {
   static thread_local Neighborhood neighborhood;
