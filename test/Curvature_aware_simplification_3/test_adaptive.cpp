@@ -10,6 +10,7 @@
 #include <CGAL/Curvature_aware_simplification_3/internal/fit_fold.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/fit_local_surface.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/measure_noise.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/median.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/move_to_edges.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/relax_on_surface.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/remove_outliers.h>
@@ -264,32 +265,50 @@ TEST(Neighborhood, is_found_where_no_number_is_between_the_coordinates)
   EXPECT_EQ(found, (std::set<std::size_t>{0, 2, 4, 6, 8, 10, 12, 14, 16, 18}));
 }
 
+TEST(Median, is_what_sorting_finds)
+{
+  std::mt19937 generator(31);
+  // one digit: most values occur more than once
+  std::uniform_int_distribution<int> digit(0, 9);
+  for (std::size_t n = 1; n <= 70; ++n) // counted up to 32, selected beyond
+    for (int round = 0; round < 20; ++round)
+    {
+      std::vector<double> values(n);
+      for (double& value : values)
+        value = digit(generator);
+      std::vector<double> sorted = values;
+      std::sort(sorted.begin(), sorted.end());
+      EXPECT_EQ(median(values), sorted[n / 2]) << n;
+    }
+}
+
 TEST(Sample_neighbors, agree_with_brute_force)
 {
   for (std::size_t n : {1, 2, 10, 300})
-  {
-    const std::vector<Point> points = patch(n, 12, [](double x, double) { return x; });
-    Sample_neighbors neighbors;
-    neighbors.search(points, Tag());
-    for (std::size_t i = 0; i < n; ++i)
+    for (std::size_t wanted : {std::size_t(3), Sample_neighbors::most})
     {
-      std::vector<std::pair<double, std::size_t>> expected;
-      for (std::size_t j = 0; j < n; ++j)
-        if (j != i)
-          expected.emplace_back(CGAL::squared_distance(points[i], points[j]), j);
-      std::sort(expected.begin(), expected.end());
-      expected.resize(std::min<std::size_t>(expected.size(), Sample_neighbors::most));
-      std::vector<std::size_t> indices;
-      for (const auto& neighbor : expected)
-        indices.push_back(neighbor.second);
-      const auto found = neighbors.of(i);
-      EXPECT_EQ(std::vector<std::size_t>(found.begin(), found.end()), indices);
+      const std::vector<Point> points = patch(n, 12, [](double x, double) { return x; });
+      Sample_neighbors neighbors;
+      neighbors.search(points, wanted, Tag());
+      for (std::size_t i = 0; i < n; ++i)
+      {
+        std::vector<std::pair<double, std::size_t>> expected;
+        for (std::size_t j = 0; j < n; ++j)
+          if (j != i)
+            expected.emplace_back(CGAL::squared_distance(points[i], points[j]), j);
+        std::sort(expected.begin(), expected.end());
+        expected.resize(std::min(expected.size(), wanted));
+        std::vector<std::size_t> indices;
+        for (const auto& neighbor : expected)
+          indices.push_back(neighbor.second);
+        const auto found = neighbors.of(i);
+        EXPECT_EQ(std::vector<std::size_t>(found.begin(), found.end()), indices);
+      }
     }
-  }
   // more coincide than are kept: no sample is its own neighbor
   const std::vector<Point> equal(60, Point(1., 2., 3.));
   Sample_neighbors neighbors;
-  neighbors.search(equal, Tag());
+  neighbors.search(equal, Sample_neighbors::most, Tag());
   for (std::size_t i = 0; i < equal.size(); ++i)
     for (std::size_t j : neighbors.of(i))
       EXPECT_NE(i, j);

@@ -34,25 +34,25 @@ public:
   static constexpr std::size_t most = 16;
 
   template <typename ConcurrencyTag>
-  void search(const std::vector<Point>& samples, const ConcurrencyTag& tag)
+  void search(const std::vector<Point>& samples, std::size_t number, const ConcurrencyTag& tag)
   {
     const Neighbor_search neighbor_search(samples, tag);
     const std::size_t n = samples.size();
-    m_number = (std::min)(most, n - 1);
+    m_number = (std::min)({number, most, n - 1});
     m_indices.resize(n * m_number);
     for_each_index<ConcurrencyTag>(0, n,
                                    [&](std::size_t i)
                                    {
       std::array<Neighbor, most + 1> found;
-      std::size_t number = 0;
+      std::size_t number_found = 0;
       neighbor_search.for_each_nearest(samples[i], m_number + 1,
                                        [&](std::size_t j, const Point&, double squared_distance)
                                        {
         if (j != i)
-          found[number++] = {squared_distance, j};
+          found[number_found++] = {squared_distance, j};
       });
       // where more than that many coincide, the sample may not be among its nearest
-      std::sort(found.begin(), found.begin() + static_cast<std::ptrdiff_t>(number));
+      std::sort(found.begin(), found.begin() + static_cast<std::ptrdiff_t>(number_found));
       for (std::size_t m = 0; m < m_number; ++m)
         m_indices[i * m_number + m] = found[m].second;
     });

@@ -144,22 +144,35 @@ inline bool fit_quadric_over_plane(const Neighborhood& neighborhood, double nois
 // The plane with the least squared heights of the weighted neighbors
 inline bool fit_plane(const Neighborhood& neighborhood, Local_surface& surface)
 {
-  const double scale = 1. / neighborhood.radius;
-  Eigen::Matrix3d matrix = Eigen::Matrix3d::Zero();
-  Eigen::Vector3d right = Eigen::Vector3d::Zero();
+  const double scale = 1. / neighborhood.radius; // with the moments, as above
+  double m00 = 0., m10 = 0., m01 = 0., m20 = 0., m11 = 0., m02 = 0.;
+  double h00 = 0., h10 = 0., h01 = 0.;
   for (const Neighborhood::Neighbor& neighbor : neighborhood.neighbors)
   {
-    const Eigen::Vector3d basis(1., scale * (neighbor.position * surface.u),
-                                scale * (neighbor.position * surface.v));
-    const Eigen::Vector3d weighted = neighbor.weight * basis;
-    matrix.noalias() += weighted * basis.transpose();
-    right += (neighbor.position * surface.n) * weighted;
+    const double w = neighbor.weight;
+    const double a = scale * (neighbor.position * surface.u);
+    const double b = scale * (neighbor.position * surface.v);
+    const double h = neighbor.position * surface.n;
+    const double wa = w * a, wb = w * b;
+    m00 += w;
+    m10 += wa;
+    m01 += wb;
+    m20 += wa * a;
+    m11 += wa * b;
+    m02 += wb * b;
+    h00 += w * h;
+    h10 += wa * h;
+    h01 += wb * h;
   }
-  const double sum = matrix(0, 0);
+  const double sum = m00;
   if (!(sum > 0.))
     return false;
-  matrix(1, 1) += 1e-9 * sum; // as above
-  matrix(2, 2) += 1e-9 * sum;
+  const double penalty = 1e-9 * sum;
+  Eigen::Matrix3d matrix;
+  matrix << m00, m10, m01,     //
+      m10, m20 + penalty, m11, //
+      m01, m11, m02 + penalty;
+  const Eigen::Vector3d right(h00, h10, h01);
   const Eigen::Vector3d c = matrix.ldlt().solve(right);
   if (!c.allFinite())
     return false;

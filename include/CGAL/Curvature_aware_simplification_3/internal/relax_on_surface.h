@@ -86,23 +86,25 @@ Vector tangential_repulsion(const Surface_sample& x, const Neighbors& neighbors,
 {
   const double inverse = 1. / (x.spacing * x.spacing);
   const double inverse_reach = 1. / (settings.reach_of_repulsion * settings.reach_of_repulsion);
-  Vector sum(0., 0., 0.);
+  Vector sum(0., 0., 0.); // its part along the normal is taken off once, at the end
   double weight = 0.;
   for (std::size_t i : neighbors)
   {
     const Vector d = x.point - points[i];
     const double h = d * x.normal;
-    const Vector t = d - h * x.normal;
-    const double rho2 = (t.squared_length() + settings.weight_of_height * h * h) * inverse;
+    const double squared_distance = d.squared_length() + (settings.weight_of_height - 1.) * h * h;
+    const double rho2 = squared_distance * inverse;
     const double base = 1. - inverse_reach * rho2;
     if (!(base > 0. && rho2 > 0.)) // of a sample at the same place, no direction leads away
       continue;
-    const double theta = base * base * base * base * base * base;
+    const double base3 = base * base * base;
+    const double theta = base3 * base3;
     const double phi = spacings[i] * spacings[i] * inverse;
-    const double beta = theta / std::sqrt(rho2) * phi;
-    sum = sum + beta * t;
+    const double beta = theta * phi / std::sqrt(rho2);
+    sum = sum + beta * d;
     weight += beta;
   }
+  sum = sum - (sum * x.normal) * x.normal;
   // In a lattice of spacing s, the weights add up to 6 (3/4)^6 = 1.07. Few and far neighbors push less:
   // divided by less, one at the end of the reach would push as six around do, and where noise makes the
   // spacings differ, samples would jump to and fro.
@@ -156,6 +158,9 @@ Sample_neighbors relax_on_surface(std::vector<Surface_sample>& samples, const Su
   // difference. Two samples that move as far as the mean come from 2 spacings to 1 unseen, but few move
   // towards each other.
   constexpr double far_enough_to_search = 0.5;
+  // At the start, samples are where chance has put them, and the nearest decide: one ring and a half is as
+  // good as more, and saves 1 % of a call.
+  constexpr std::size_t first_neighbors = 12;
   // below which the distribution does not change any more: 1 % of what the first iteration moves
   constexpr double at_rest = 0.001;
 
@@ -168,7 +173,7 @@ Sample_neighbors relax_on_surface(std::vector<Surface_sample>& samples, const Su
     spacings[i] = samples[i].spacing;
   });
   Sample_neighbors neighbors;
-  neighbors.search(points, ConcurrencyTag());
+  neighbors.search(points, first_neighbors, ConcurrencyTag());
 
   double moved_since_search = 0.;
   std::vector<double> moved(samples.size());
@@ -176,7 +181,7 @@ Sample_neighbors relax_on_surface(std::vector<Surface_sample>& samples, const Su
   {
     if (moved_since_search > far_enough_to_search)
     {
-      neighbors.search(points, ConcurrencyTag());
+      neighbors.search(points, Sample_neighbors::most, ConcurrencyTag());
       moved_since_search = 0.;
     }
     const double iterations = static_cast<double>(number_of_iterations);
