@@ -388,7 +388,7 @@ TEST(Box_of_most_points, leaves_out_what_is_far_only)
 
 TEST(Frame, has_a_diagonal_near_one_for_any_unit)
 {
-  for (double scale : {1e-300, 1e-6, 1., 1e6, 1e300})
+  for (double scale : {1e-320, 1e-300, 1e-6, 1., 1e6, 1e300})
   {
     const CGAL::Bbox_3 box(-scale, 0., 0., scale, 0., 0.);
     const Frame frame(box, box);

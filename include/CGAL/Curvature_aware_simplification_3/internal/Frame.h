@@ -34,6 +34,9 @@ public:
                    box.zmax() / 4. - box.zmin() / 4.);
     std::frexp(quarter_diagonal, &m_exponent); // in [2^(e-1), 2^e), or both are 0
     m_exponent += 2;
+    const int half = m_exponent / 2;
+    m_to_frame[0] = std::ldexp(1., -half);
+    m_to_frame[1] = std::ldexp(1., half - m_exponent);
   }
 
   Point to_frame(double x, double y, double z) const
@@ -48,12 +51,13 @@ public:
                  m_center.z() + length_from_frame(p.z()));
   }
 
-  double length_to_frame(double length) const { return std::ldexp(length, -m_exponent); }
+  double length_to_frame(double length) const { return length * m_to_frame[0] * m_to_frame[1]; }
   double length_from_frame(double length) const { return std::ldexp(length, m_exponent); }
 
 private:
   Point m_center;
   int m_exponent;
+  double m_to_frame[2]; // 2^-m_exponent, which itself may overflow, in two factors
 };
 
 } // namespace internal

@@ -47,14 +47,15 @@ inline Surface_border find_border(Neighborhood& neighborhood, const Local_surfac
     return border;
   const Vector offset = neighborhood.center - surface.origin;
   neighborhood.weight_by_distance();
-  double x = 0., y = 0., sum = 0.;
+  Vector weighted(0., 0., 0.);
+  double sum = 0.;
   for (const Neighborhood::Neighbor& neighbor : neighborhood.neighbors)
   {
-    const Vector position = neighbor.position + offset;
-    x += neighbor.weight * (position * surface.u);
-    y += neighbor.weight * (position * surface.v);
+    weighted = weighted + neighbor.weight * neighbor.position;
     sum += neighbor.weight;
   }
+  weighted = weighted + sum * offset;
+  const double x = weighted * surface.u, y = weighted * surface.v;
   const double length = std::sqrt(x * x + y * y);
   if (!(length > 0.15 * sum * neighborhood.radius))
     return border;
