@@ -1384,6 +1384,34 @@ TEST(Fold, is_seen_by_samples_on_both_sides)
   EXPECT_FALSE(is_seen(many));
 }
 
+TEST(Adaptive, leaves_few_gaps_on_sharp_edges)
+{
+  // 0.6 % of the gaps are longer than the 0.054 between uniform samples, and 4 % if only samples within 0.65
+  // spacings move onto an edge.
+  std::size_t gaps = 0, wide_gaps = 0;
+  for (unsigned int seed : {1, 2, 3})
+  {
+    const std::vector<Point> result =
+        simplified(cube(30000, seed), np::number_of_output_points(3000));
+    for (int axis = 0; axis < 3; ++axis)
+      for (double side : {0., 1.})
+        for (double other_side : {0., 1.})
+        {
+          std::vector<double> along = {0., 1.};
+          for (const Point& p : result)
+            if (std::abs(p[(axis + 1) % 3] - side) < 1e-4 &&
+                std::abs(p[(axis + 2) % 3] - other_side) < 1e-4)
+              along.push_back(p[axis]);
+          std::sort(along.begin(), along.end());
+          gaps += along.size() - 1;
+          for (std::size_t i = 1; i < along.size(); ++i)
+            wide_gaps += along[i] - along[i - 1] > 0.054;
+        }
+  }
+  EXPECT_GT(gaps, 1000u);
+  EXPECT_LT(static_cast<double>(wide_gaps), 0.01 * static_cast<double>(gaps));
+}
+
 TEST(Adaptive, puts_samples_on_sharp_edges)
 {
   // The samples are 0.054 apart if uniform, edges have a length of 12.

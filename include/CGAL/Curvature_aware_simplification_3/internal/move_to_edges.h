@@ -80,35 +80,19 @@ bool is_seen_by_samples(const Fold& fold, const Point& center, const Neighbors& 
   return 5 * on_fold >= 4 * number && only_on[0] > 0 && only_on[1] > 0;
 }
 
-// The nearest point of a sharp edge near a sample, if there is one. `bent` finds the points of the input
-// at which there may be one.
+// The nearest point of a sharp edge that the input around `center` shows, if there is one within `reach` spacings
+// of a sample
 template <typename Neighbors>
-std::optional<Target> nearest_edge_point(const Surface_sample& x, const Neighbors& neighbors,
-                                         const std::vector<Point>& points, const Surface_fit& fit,
-                                         const Neighbor_search& bent)
+std::optional<Target> edge_point(const Surface_sample& x, const Point& center, double reach,
+                                 const Neighbors& neighbors, const std::vector<Point>& points,
+                                 const Surface_fit& fit)
 {
-  // In spacings. A strip as wide on both sides of the edge holds 1.3 * 1.15 = 1.5 samples for each
-  // spacing of its length, more than the one that it needs.
-  constexpr double reach = 0.65;
   // 32 neighbors, of which planes have ten or more each; with noise, all within 30 sigma, so
   // that the tolerance of 3 sigma is small, but at most three times as many
   constexpr double fewest = 33., most = 97.;
   constexpr double radius_in_noise = 30.;
   // of the radius of the ball: faces may bend with a radius of 17 of the ball's
   constexpr double flatness = 0.03;
-
-  if (!(x.surface.radius > 0.))
-    return std::nullopt;
-  Point center = x.point;
-  double squared_distance_to_bent = 0.;
-  bent.for_each_nearest(x.point, 1,
-                        [&](std::size_t, const Point& p, double squared_distance)
-                        {
-    center = p;
-    squared_distance_to_bent = squared_distance;
-  });
-  if (squared_distance_to_bent > reach * reach * x.spacing * x.spacing)
-    return std::nullopt;
 
   const double radius = radius_in_noise * fit.noise.level / x.surface.radius;
   const double wanted = static_cast<double>(x.surface.neighbors) * radius * radius;
@@ -128,6 +112,38 @@ std::optional<Target> nearest_edge_point(const Surface_sample& x, const Neighbor
       !is_seen_by_samples(fold, center, neighbors, points, x.spacing))
     return std::nullopt;
   return Target{x.point + way, distance};
+}
+
+// The nearest point of a sharp edge near a sample, if there is one. `bent` finds the points of the input
+// at which there may be one.
+template <typename Neighbors>
+std::optional<Target> nearest_edge_point(const Surface_sample& x, const Neighbors& neighbors,
+                                         const std::vector<Point>& points, const Surface_fit& fit,
+                                         const Neighbor_search& bent)
+{
+  // In spacings: the first row on each side. Where an edge has a gap, a surface connects the faces across
+  // it and cuts it off, unless the samples beside it fill it. With 0.65, enough to put one sample on each
+  // spacing in the mean, the 99th percentile of the error of CAD parts is 6 % larger.
+  constexpr double reach = 1.;
+  // In spacings: around a sample that is farther from the edge, the planes are not those at its foot point,
+  // and are fitted again there. The largest error is 5 % smaller.
+  constexpr double near_edge = 0.65;
+
+  if (!(x.surface.radius > 0.))
+    return std::nullopt;
+  const auto nearest_bent = [&](const Point& query)
+  {
+    Point nearest = query;
+    bent.for_each_nearest(query, 1, [&](std::size_t, const Point& p, double) { nearest = p; });
+    return nearest;
+  };
+  const Point center = nearest_bent(x.point);
+  if (squared_distance(center, x.point) > reach * reach * x.spacing * x.spacing)
+    return std::nullopt;
+  const std::optional<Target> target = edge_point(x, center, reach, neighbors, points, fit);
+  if (!target || target->distance < near_edge)
+    return target;
+  return edge_point(x, nearest_bent(target->point), reach, neighbors, points, fit);
 }
 
 // Moves samples next to a sharp edge onto it. Whatever surface is reconstructed, it cuts off an edge
