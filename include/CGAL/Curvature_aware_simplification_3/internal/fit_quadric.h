@@ -167,7 +167,7 @@ inline bool fit_plane(const Neighborhood& neighborhood, Local_surface& surface)
   const double sum = m00;
   if (!(sum > 0.))
     return false;
-  const double penalty = 1e-9 * sum;
+  const double penalty = 1e-9 * sum; // as above
   Eigen::Matrix3d matrix;
   matrix << m00, m10, m01,     //
       m10, m20 + penalty, m11, //

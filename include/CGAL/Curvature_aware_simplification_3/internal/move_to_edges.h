@@ -80,8 +80,8 @@ bool is_seen_by_samples(const Fold& fold, const Point& center, const Neighbors& 
   return 5 * on_fold >= 4 * number && only_on[0] > 0 && only_on[1] > 0;
 }
 
-// The nearest point of a sharp edge that the input around `center` shows, if there is one within `reach` spacings
-// of a sample
+// The nearest point of a sharp edge that the input around `center` shows, if there is one within `reach`
+// spacings of a sample
 template <typename Neighbors>
 std::optional<Target> edge_point(const Surface_sample& x, const Point& center, double reach,
                                  const Neighbors& neighbors, const std::vector<Point>& points,

@@ -159,7 +159,7 @@ Sample_neighbors relax_on_surface(std::vector<Surface_sample>& samples, const Su
   // towards each other.
   constexpr double far_enough_to_search = 0.5;
   // At the start, samples are where chance has put them, and the nearest decide: one ring and a half is as
-  // good as more, and saves 1 % of a call.
+  // good as more, and saves 2 % of a call.
   constexpr std::size_t first_neighbors = 12;
   // below which the distribution does not change any more: 1 % of what the first iteration moves
   constexpr double at_rest = 0.001;
