@@ -1367,12 +1367,12 @@ TEST(Fold, is_seen_by_samples_on_both_sides)
   fold.planes[0] = {Vector(1., 0., 0.), 0.};
   fold.planes[1] = {Vector(0., 1., 0.), 0.};
   const Point first(0.1, 2., 0.), second(2., -0.1, 0.), none(2., 2., 0.);
-  const auto is_seen = [&](const std::vector<Point>& points)
+  const auto is_seen = [&](const std::vector<Point>& points, double distance = 0.5)
   {
     std::vector<std::size_t> neighbors(points.size());
     for (std::size_t i = 0; i < points.size(); ++i)
       neighbors[i] = i;
-    return is_seen_by_samples(fold, Point(0., 0., 0.), neighbors, points, 1.);
+    return is_seen_by_samples(fold, Point(0., 0., 0.), neighbors, points, 1., distance);
   };
   EXPECT_TRUE(is_seen({first, first, second, second, none}));
   EXPECT_FALSE(is_seen({first, second, none}));
@@ -1382,6 +1382,18 @@ TEST(Fold, is_seen_by_samples_on_both_sides)
   std::vector<Point> many(12, first);
   many.push_back(second);
   EXPECT_FALSE(is_seen(many));
+  // three of 12 may be elsewhere, one if the sample is in the first row beside the edge
+  const auto with_others = [&](std::size_t number)
+  {
+    std::vector<Point> points(12, first);
+    points[0] = second;
+    std::fill_n(points.rbegin(), number, none);
+    return points;
+  };
+  EXPECT_TRUE(is_seen(with_others(3)));
+  EXPECT_FALSE(is_seen(with_others(4)));
+  EXPECT_TRUE(is_seen(with_others(1), 0.7));
+  EXPECT_FALSE(is_seen(with_others(2), 0.7));
 }
 
 TEST(Adaptive, leaves_few_gaps_on_sharp_edges)
