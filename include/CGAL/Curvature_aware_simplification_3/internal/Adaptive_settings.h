@@ -69,7 +69,8 @@ struct Adaptive_settings
   // What narrower fits have missed of the shape, over what the next wider one misses beyond: 1 / (2^(3/2) -
   // 1) if shape grows like the 3/2 power of the number of neighbors, as a cubic does. With 1, as if it grew
   // like their number, the results are the same within 1 %. With 0, the steps to wider fits are those of a
-  // Wiener filter, which go too far where shape is fine, as on scales and hair, and are as good elsewhere.
+  // Wiener filter, which go too far where shape is fine: with noise, errors of heads and animals are 1 to 2 %
+  // larger, those of smooth parts 2 to 5 % smaller.
   double missed_shape = 0.547;
   // Samples next to a sharp edge are moved onto it.
   bool move_to_edges = true;
