@@ -1398,7 +1398,7 @@ TEST(Fold, is_seen_by_samples_on_both_sides)
 
 TEST(Adaptive, leaves_few_gaps_on_sharp_edges)
 {
-  // 0.6 % of the gaps are longer than the 0.054 between uniform samples, and 4 % if only samples within 0.65
+  // 0.5 % of the gaps are longer than the 0.054 between uniform samples, and 4 % if only samples within 0.65
   // spacings move onto an edge.
   std::size_t gaps = 0, wide_gaps = 0;
   for (unsigned int seed : {1, 2, 3})
