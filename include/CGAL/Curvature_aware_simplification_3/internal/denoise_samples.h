@@ -7,9 +7,9 @@
 #define CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_DENOISE_SAMPLES_H
 
 #include <CGAL/Curvature_aware_simplification_3/internal/Progress.h>
-#include <CGAL/Curvature_aware_simplification_3/internal/fit_local_surface.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/Surface_sample.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/fits_of_all_sizes.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/loops.h>
-#include <CGAL/Curvature_aware_simplification_3/internal/relax_on_surface.h>
 
 #include <algorithm>
 #include <cmath>
@@ -19,51 +19,6 @@
 namespace CGAL {
 namespace Curvature_aware_simplification_3 {
 namespace internal {
-
-// What the next wider fit changes
-struct Widening
-{
-  Vector shift;    // of the sample
-  double variance; // of the length of the shift, if noise alone causes it
-};
-
-// The narrowest fit, which is the surface of the sample, and what fits with 2, 4, ... times its neighbors
-// change one after the other
-struct Fits_of_all_sizes
-{
-  Point point;
-  std::vector<Widening> widenings;
-};
-
-inline Fits_of_all_sizes fits_of_all_sizes(const Surface_fit& fit, const Surface_sample& x)
-{
-  static thread_local Neighborhood neighborhood;
-  Local_surface surface = x.surface;
-  if (x.a != 0. || x.b != 0.) // back from a border
-    surface =
-        fit_local_surface(fit, x.point, x.normal, surface.neighbors, rounds_to_stay, neighborhood);
-  Fits_of_all_sizes fits{surface.origin, {}};
-  if (!(surface.radius > 0.))
-    return fits;
-  // Balls of twice the area, and so on. All are in the largest, which is searched once, but for the small
-  // way that the foot point goes.
-  const double ratio = static_cast<double>(fit.settings.points_of_widest_fit) /
-                       static_cast<double>((std::max)(surface.neighbors, std::size_t(1)));
-  const double largest_radius = surface.radius * std::sqrt(ratio);
-  static thread_local Neighborhood wide;
-  if (ratio > 1.)
-    wide.collect_within(fit.search, surface.origin, largest_radius);
-  for (double radius = surface.radius; radius < largest_radius;)
-  {
-    radius = (std::min)(std::sqrt(2.) * radius, largest_radius);
-    const Local_surface narrow = surface;
-    if (!widen(fit, wide, radius, neighborhood, surface))
-      break;
-    fits.widenings.push_back({((surface.origin - narrow.origin) * surface.n) * surface.n,
-                              narrow.error * narrow.error - surface.error * surface.error});
-  }
-  return fits;
-}
 
 // The part w of the step to a wider fit that has the least expected error, from the mean square q of such
 // steps and the variance v that noise gives them.

@@ -6,8 +6,7 @@
 #ifndef CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_FIT_LOCAL_SURFACE_H
 #define CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_FIT_LOCAL_SURFACE_H
 
-#include <CGAL/Curvature_aware_simplification_3/internal/Adaptive_settings.h>
-#include <CGAL/Curvature_aware_simplification_3/internal/Noise_levels.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/Surface_fit.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/fit_quadric.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/median.h>
 
@@ -20,34 +19,9 @@ namespace CGAL {
 namespace Curvature_aware_simplification_3 {
 namespace internal {
 
-// How local surfaces are fitted to the input
-struct Surface_fit
-{
-  const Neighbor_search& search;
-  std::size_t number_of_points; // of the search
-  Noise noise = Noise();        // of the points near the place that is fitted
-  Adaptive_settings settings = Adaptive_settings();
-
-  Surface_fit with(const Noise& noise_there) const
-  {
-    return {search, number_of_points, noise_there, settings};
-  }
-  bool points_share_noise() const { return noise.level < noise.independent_level; }
-};
-
-// 18 neighbors, two rings around a point: three for each coefficient of a quadric
-constexpr std::size_t smallest_neighborhood = 19;
-// Four doublings above. Then noise is down to sigma / 6, and time grows faster than accuracy.
-constexpr std::size_t largest_neighborhood = 16 * 18 + 1;
-// In units of sigma. In a ball of that radius, the layer of noisy points looks flat; in a much smaller
-// one it looks as thick as wide and has no normal.
-constexpr double smallest_radius_in_noise = 7.;
 // Welsch's weight exp(-e^2 / 2) with e in units of 2.5 standard deviations: 97 % of the efficiency
 // of least squares for Gaussian noise, and nothing left of what is 8 standard deviations away
 constexpr double residual_scale = 2.5;
-// 2 standard deviations where a fit is widened: what it meets there may be another sheet, and nothing
-// is left of that if it is 6 away
-constexpr double residual_scale_of_wider = 2.;
 
 inline double robust_weight(double residual, double spread, double scale = residual_scale)
 {
@@ -65,43 +39,6 @@ inline double residual_spread(const Neighborhood& neighborhood, const Local_surf
   const double n = static_cast<double>(residuals.size());
   // 1.4826: standard deviation over median of |x| for Gaussian x; the quadric used up 5 + 1
   return 1.4826 * median(residuals) * std::sqrt(n / (std::max)(n - 5., 1.));
-}
-
-// Collects the neighbors of x that a fit needs: `smallest` nearest, or all in the ball that noise asks
-// for. `expected_neighbors` is about how many points are in that ball, or 0 if not known.
-inline void collect_neighbors(const Surface_fit& fit, const Point& x, std::size_t smallest,
-                              double wanted_radius, std::size_t expected_neighbors,
-                              Neighborhood& neighborhood)
-{
-  neighborhood.neighbors.clear();
-  smallest = (std::min)(smallest, fit.number_of_points);
-  const std::size_t largest = (std::min)(largest_neighborhood, fit.number_of_points);
-  if (expected_neighbors <= smallest)
-  {
-    neighborhood.collect(fit.search, x, smallest);
-    if (neighborhood.radius >= wanted_radius || smallest == largest)
-      return;
-    // points on a surface grow with the square of the radius
-    const double ratio = wanted_radius / (neighborhood.radius + 1e-300);
-    expected_neighbors =
-        static_cast<std::size_t>((std::min)(ratio * ratio * static_cast<double>(smallest), 1e9));
-  }
-  if (expected_neighbors < 2 * largest) // otherwise the ball holds more anyway
-  {
-    neighborhood.collect_within(fit.search, x, wanted_radius);
-    if (neighborhood.size() < smallest)
-      neighborhood.collect(fit.search, x, smallest);
-    if (neighborhood.size() <= largest)
-      return;
-  }
-  neighborhood.collect(fit.search, x, largest);
-}
-
-inline void collect_neighbors(const Surface_fit& fit, const Point& x,
-                              std::size_t expected_neighbors, Neighborhood& neighborhood)
-{
-  collect_neighbors(fit, x, smallest_neighborhood, smallest_radius_in_noise * fit.noise.level,
-                    expected_neighbors, neighborhood);
 }
 
 // Standard deviation of the height of a fit. `error` is what it would be for independent noise. Smoothed
@@ -216,36 +153,6 @@ inline Local_surface fit_local_surface(const Surface_fit& fit, const Point& x, c
     surface.complete_frame();
     collect_neighbors(fit, surface.origin, expected_neighbors, neighborhood);
   }
-}
-
-// The surface from a wider ball than `surface` was fitted to, taken from `wide`; false if that does not
-// reduce its error. The narrower one tells by the height which points belong to the same sheet. Distances
-// count in the tangent plane: in a ball, the noise of a neighbor would decide over its weight.
-inline bool widen(const Surface_fit& fit, const Neighborhood& wide, double radius,
-                  Neighborhood& neighborhood, Local_surface& surface)
-{
-  neighborhood.take_within(wide, surface.origin, radius);
-  neighborhood.weight_by_distance(
-      [&](const Neighborhood::Neighbor& neighbor)
-      {
-    const double h = neighbor.position * surface.n;
-    return neighbor.squared_distance - h * h;
-  });
-  // A narrow fit to smoothed points follows their noise, and shows less of it than there is: with 1.5 to
-  // 3 times what is left, the results are the same, and with less, points of the same sheet are lost.
-  const double spread =
-      fit.points_share_noise() ? (std::max)(surface.spread, 2. * fit.noise.level) : surface.spread;
-  for (Neighborhood::Neighbor& neighbor : neighborhood.neighbors)
-    neighbor.weight *=
-        robust_weight(surface.residual(neighbor.position), spread, residual_scale_of_wider);
-  Local_surface wider = surface;
-  wider.radius = neighborhood.radius;
-  wider.neighbors = neighborhood.size();
-  if (!fit_quadric(fit, neighborhood, wider) || !(wider.error < surface.error))
-    return false;
-  wider.move_to_foot_point();
-  surface = wider;
-  return true;
 }
 
 } // namespace internal

@@ -7,8 +7,8 @@
 #define CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_MOVE_TO_TARGETS_H
 
 #include <CGAL/Curvature_aware_simplification_3/internal/Sample_neighbors.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/Surface_sample.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/loops.h>
-#include <CGAL/Curvature_aware_simplification_3/internal/relax_on_surface.h>
 
 #include <cstddef>
 #include <optional>
@@ -25,15 +25,6 @@ struct Target
   Point point;
   double distance; // in spacings
 };
-
-template <typename ConcurrencyTag>
-std::vector<Point> points_of(const std::vector<Surface_sample>& samples)
-{
-  std::vector<Point> points(samples.size());
-  for_each_index<ConcurrencyTag>(0, samples.size(),
-                                 [&](std::size_t i) { points[i] = samples[i].point; });
-  return points;
-}
 
 // Moves samples to their targets. Of those that would come closer to each other than `too_close`
 // spacings, only the nearest does.

@@ -1,0 +1,85 @@
+// Copyright (c) 2026 The authors of Curvature_aware_simplification_3.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_SURFACE_FIT_H
+#define CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_SURFACE_FIT_H
+
+#include <CGAL/Curvature_aware_simplification_3/internal/Adaptive_settings.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/Neighbor_search.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/Neighborhood.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/Noise_levels.h>
+
+#include <algorithm>
+#include <cstddef>
+
+namespace CGAL {
+namespace Curvature_aware_simplification_3 {
+namespace internal {
+
+// How local surfaces are fitted to the input
+struct Surface_fit
+{
+  const Neighbor_search& search;
+  std::size_t number_of_points; // of the search
+  Noise noise = Noise();        // of the points near the place that is fitted
+  Adaptive_settings settings = Adaptive_settings();
+
+  Surface_fit with(const Noise& noise_there) const
+  {
+    return {search, number_of_points, noise_there, settings};
+  }
+  bool points_share_noise() const { return noise.level < noise.independent_level; }
+};
+
+// 18 neighbors, two rings around a point: three for each coefficient of a quadric
+constexpr std::size_t smallest_neighborhood = 19;
+// Four doublings above. Then noise is down to sigma / 6, and time grows faster than accuracy.
+constexpr std::size_t largest_neighborhood = 16 * 18 + 1;
+// In units of sigma. In a ball of that radius, the layer of noisy points looks flat; in a much smaller
+// one it looks as thick as wide and has no normal.
+constexpr double smallest_radius_in_noise = 7.;
+
+// Collects the neighbors of x that a fit needs: `smallest` nearest, or all in the ball that noise asks
+// for. `expected_neighbors` is about how many points are in that ball, or 0 if not known.
+inline void collect_neighbors(const Surface_fit& fit, const Point& x, std::size_t smallest,
+                              double wanted_radius, std::size_t expected_neighbors,
+                              Neighborhood& neighborhood)
+{
+  neighborhood.neighbors.clear();
+  smallest = (std::min)(smallest, fit.number_of_points);
+  const std::size_t largest = (std::min)(largest_neighborhood, fit.number_of_points);
+  if (expected_neighbors <= smallest)
+  {
+    neighborhood.collect(fit.search, x, smallest);
+    if (neighborhood.radius >= wanted_radius || smallest == largest)
+      return;
+    // points on a surface grow with the square of the radius
+    const double ratio = wanted_radius / (neighborhood.radius + 1e-300);
+    expected_neighbors =
+        static_cast<std::size_t>((std::min)(ratio * ratio * static_cast<double>(smallest), 1e9));
+  }
+  if (expected_neighbors < 2 * largest) // otherwise the ball holds more anyway
+  {
+    neighborhood.collect_within(fit.search, x, wanted_radius);
+    if (neighborhood.size() < smallest)
+      neighborhood.collect(fit.search, x, smallest);
+    if (neighborhood.size() <= largest)
+      return;
+  }
+  neighborhood.collect(fit.search, x, largest);
+}
+
+inline void collect_neighbors(const Surface_fit& fit, const Point& x,
+                              std::size_t expected_neighbors, Neighborhood& neighborhood)
+{
+  collect_neighbors(fit, x, smallest_neighborhood, smallest_radius_in_noise * fit.noise.level,
+                    expected_neighbors, neighborhood);
+}
+
+} // namespace internal
+} // namespace Curvature_aware_simplification_3
+} // namespace CGAL
+
+#endif // CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_SURFACE_FIT_H

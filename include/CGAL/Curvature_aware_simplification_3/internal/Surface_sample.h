@@ -1,0 +1,84 @@
+// Copyright (c) 2026 The authors of Curvature_aware_simplification_3.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_SURFACE_SAMPLE_H
+#define CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_SURFACE_SAMPLE_H
+
+#include <CGAL/Curvature_aware_simplification_3/internal/Noise_levels.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/Surface_border.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/fit_local_surface.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/loops.h>
+
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Curvature_aware_simplification_3 {
+namespace internal {
+
+// A sample with the surface that it moves on
+struct Surface_sample
+{
+  Local_surface surface;
+  Surface_border border;
+  double a = 0., b = 0.; // position on the surface
+  double spacing = 0.;   // wanted distance to its neighbors, s
+  Noise noise;           // of the input around
+  Point point = Point(0., 0., 0.);
+  Vector normal = Vector(0., 0., 1.);
+  Vector last_move = Vector(0., 0., 0.); // in the last iteration
+
+  void move_to(double new_a, double new_b)
+  {
+    a = new_a;
+    b = new_b;
+    point = surface.point(a, b);
+    normal = surface.normal(a, b);
+  }
+
+  // Fits the surface around x in so many rounds, and puts the sample on it. In a gap of the input, where
+  // that is no more than a guess, it goes back to the nearest point of the input.
+  void place(const Surface_fit& fit, const Point& x, const Vector& guess, int rounds)
+  {
+    // Of the radius of the ball. Of 19 random points in a disk, none is within that distance of the center
+    // once in 40,000 times.
+    constexpr double gap = 0.75;
+
+    static thread_local Neighborhood neighborhood;
+    fit_and_move(fit, x, guess, rounds, neighborhood);
+    if (!(neighborhood.radius > 0.))
+      return;
+    const Point nearest = neighborhood.nearest(point);
+    const double largest_distance = gap * neighborhood.radius;
+    if (squared_distance(nearest, point) > largest_distance * largest_distance)
+      fit_and_move(fit, nearest, guess, rounds, neighborhood);
+  }
+
+private:
+  void fit_and_move(const Surface_fit& fit, const Point& x, const Vector& guess, int rounds,
+                    Neighborhood& neighborhood)
+  {
+    surface = fit_local_surface(fit, x, guess, surface.neighbors, rounds, neighborhood);
+    border = fit.settings.keep_borders ? find_border(neighborhood, surface) : Surface_border();
+    double at_a = 0., at_b = 0.;
+    border.restrict(at_a, at_b);
+    move_to(at_a, at_b);
+  }
+};
+
+template <typename ConcurrencyTag>
+std::vector<Point> points_of(const std::vector<Surface_sample>& samples)
+{
+  std::vector<Point> points(samples.size());
+  for_each_index<ConcurrencyTag>(0, samples.size(),
+                                 [&](std::size_t i) { points[i] = samples[i].point; });
+  return points;
+}
+
+} // namespace internal
+} // namespace Curvature_aware_simplification_3
+} // namespace CGAL
+
+#endif // CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_SURFACE_SAMPLE_H

@@ -1,0 +1,105 @@
+// Copyright (c) 2026 The authors of Curvature_aware_simplification_3.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_FITS_OF_ALL_SIZES_H
+#define CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_FITS_OF_ALL_SIZES_H
+
+#include <CGAL/Curvature_aware_simplification_3/internal/Surface_fit.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/Surface_sample.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/fit_local_surface.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Curvature_aware_simplification_3 {
+namespace internal {
+
+// 2 standard deviations where a fit is widened: what it meets there may be another sheet, and nothing
+// is left of that if it is 6 away
+constexpr double residual_scale_of_wider = 2.;
+
+// The surface from a wider ball than `surface` was fitted to, taken from `wide`; false if that does not
+// reduce its error. The narrower one tells by the height which points belong to the same sheet. Distances
+// count in the tangent plane: in a ball, the noise of a neighbor would decide over its weight.
+inline bool widen(const Surface_fit& fit, const Neighborhood& wide, double radius,
+                  Neighborhood& neighborhood, Local_surface& surface)
+{
+  neighborhood.take_within(wide, surface.origin, radius);
+  neighborhood.weight_by_distance(
+      [&](const Neighborhood::Neighbor& neighbor)
+      {
+    const double h = neighbor.position * surface.n;
+    return neighbor.squared_distance - h * h;
+  });
+  // A narrow fit to smoothed points follows their noise, and shows less of it than there is: with 1.5 to
+  // 3 times what is left, the results are the same, and with less, points of the same sheet are lost.
+  const double spread =
+      fit.points_share_noise() ? (std::max)(surface.spread, 2. * fit.noise.level) : surface.spread;
+  for (Neighborhood::Neighbor& neighbor : neighborhood.neighbors)
+    neighbor.weight *=
+        robust_weight(surface.residual(neighbor.position), spread, residual_scale_of_wider);
+  Local_surface wider = surface;
+  wider.radius = neighborhood.radius;
+  wider.neighbors = neighborhood.size();
+  if (!fit_quadric(fit, neighborhood, wider) || !(wider.error < surface.error))
+    return false;
+  wider.move_to_foot_point();
+  surface = wider;
+  return true;
+}
+
+// What the next wider fit changes
+struct Widening
+{
+  Vector shift;    // of the sample
+  double variance; // of the length of the shift, if noise alone causes it
+};
+
+// The narrowest fit, which is the surface of the sample, and what fits with 2, 4, ... times its neighbors
+// change one after the other
+struct Fits_of_all_sizes
+{
+  Point point;
+  std::vector<Widening> widenings;
+};
+
+inline Fits_of_all_sizes fits_of_all_sizes(const Surface_fit& fit, const Surface_sample& x)
+{
+  static thread_local Neighborhood neighborhood;
+  Local_surface surface = x.surface;
+  if (x.a != 0. || x.b != 0.) // back from a border
+    surface =
+        fit_local_surface(fit, x.point, x.normal, surface.neighbors, rounds_to_stay, neighborhood);
+  Fits_of_all_sizes fits{surface.origin, {}};
+  if (!(surface.radius > 0.))
+    return fits;
+  // Balls of twice the area, and so on. All are in the largest, which is searched once, but for the small
+  // way that the foot point goes.
+  const double ratio = static_cast<double>(fit.settings.points_of_widest_fit) /
+                       static_cast<double>((std::max)(surface.neighbors, std::size_t(1)));
+  const double largest_radius = surface.radius * std::sqrt(ratio);
+  static thread_local Neighborhood wide;
+  if (ratio > 1.)
+    wide.collect_within(fit.search, surface.origin, largest_radius);
+  for (double radius = surface.radius; radius < largest_radius;)
+  {
+    radius = (std::min)(std::sqrt(2.) * radius, largest_radius);
+    const Local_surface narrow = surface;
+    if (!widen(fit, wide, radius, neighborhood, surface))
+      break;
+    fits.widenings.push_back({((surface.origin - narrow.origin) * surface.n) * surface.n,
+                              narrow.error * narrow.error - surface.error * surface.error});
+  }
+  return fits;
+}
+
+} // namespace internal
+} // namespace Curvature_aware_simplification_3
+} // namespace CGAL
+
+#endif // CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_FITS_OF_ALL_SIZES_H
