@@ -23,6 +23,7 @@ IDEAS = [
     ("outliers not looked for", "find_outliers=0"),
     ("noise not measured", "measure_noise=0"),
     ("the same noise everywhere", "noise_by_place=0"),
+    ("noise measured around quadrics only", "noise_around_planes=0"),
     ("points not smoothed first", "smooth_points=0"),
     ("points smoothed all the same where fits miss the shape",
      "residuals_explained_by_noise=1e300"),
@@ -30,6 +31,7 @@ IDEAS = [
     ("narrowest fits only", "denoise=0"),
     ("widest fits of half as many points", "points_of_widest_fit=289"),
     ("steps to wider fits by a Wiener filter", "missed_shape=0"),
+    ("fits not corrected by clean points", "correct_by_points=0"),
     ("samples not moved to sharp edges", "move_to_edges=0"),
     ("samples not moved into corners of borders", "move_to_corners=0"),
 ]
@@ -39,10 +41,10 @@ MEASURES = [("recon_mean", "mean"), ("recon_p99", "p99"), ("recon_max", "max"),
 
 
 def cases(igea, meshes):
-    """a head, an animal with thin parts, sharp edges, rounded edges, open terrain"""
+    """a head, an animal with thin parts, sharp edges, thin walls, rounded edges, open terrain"""
     shapes = [(str(igea), None)] if igea else []
     shapes += [(str(meshes / "refined_elephant.off"), 60000),
-               (str(meshes / "anchor_dense.off"), 40000),
+               (str(meshes / "anchor_dense.off"), 40000), (str(meshes / "rotor.off"), 30000),
                ("rounded_box", 40000), ("wavy_patch", 40000)]
     for source, sample in shapes:
         for degradation in DEGRADATIONS:
@@ -78,6 +80,6 @@ def ablation(comparison, igea, meshes, output):
                          *(f"{math.exp(sum(v) / len(v)):.2f}" if v else "–"
                            for v in [*logarithms.values(), everything])])
     return ("Error with one idea switched off, over that with all of them, as geometric means over "
-            "Igea, the elephant, the anchor, the rounded box and the wavy patch, two seeds each: above "
+            "Igea, the elephant, the anchor, the rotor, the rounded box and the wavy patch, two seeds each: above "
             "1, the idea helps. The largest errors of two seeds scatter by several percent.\n\n"
             + write_table(output / "ablation.csv", rows))

@@ -216,6 +216,7 @@ Setting with_parameters(const std::string& parameters)
   set("find_outliers", settings.find_outliers);
   set("measure_noise", settings.measure_noise);
   set("noise_by_place", settings.noise_by_place);
+  set("noise_around_planes", settings.noise_around_planes);
   set("curvature_radius", settings.curvature_radius);
   set("least_curvature", settings.least_curvature);
   set("reach_of_repulsion", settings.reach_of_repulsion);
@@ -230,6 +231,7 @@ Setting with_parameters(const std::string& parameters)
   set("denoise", settings.denoise);
   set("points_of_widest_fit", settings.points_of_widest_fit);
   set("missed_shape", settings.missed_shape);
+  set("correct_by_points", settings.correct_by_points);
   set("move_to_edges", settings.move_to_edges);
   set("move_to_corners", settings.move_to_corners);
 

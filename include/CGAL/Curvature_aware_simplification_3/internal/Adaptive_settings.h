@@ -21,6 +21,8 @@ struct Adaptive_settings
   bool measure_noise = true;
   // Each range of the Hilbert curve has the noise of its place; without, all have the median.
   bool noise_by_place = true;
+  // Noise is what fits of quadrics and of planes both show; without, quadrics alone.
+  bool noise_around_planes = true;
 
   // With noise, points are first smoothed one by one.
   bool smooth_points = true;
@@ -72,6 +74,8 @@ struct Adaptive_settings
   // Wiener filter, which go too far where shape is fine: with noise, errors of heads and animals are 1 to 2 %
   // larger, those of smooth parts 2 to 5 % smaller.
   double missed_shape = 0.547;
+  // Without noise and outliers, points of the input are on the surface, and correct fits that miss them.
+  bool correct_by_points = true;
   // Samples next to a sharp edge are moved onto it.
   bool move_to_edges = true;
   // Samples next to a corner of an open surface are moved into it.

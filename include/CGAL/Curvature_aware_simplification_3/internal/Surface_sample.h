@@ -11,6 +11,7 @@
 #include <CGAL/Curvature_aware_simplification_3/internal/fit_local_surface.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/loops.h>
 
+#include <cmath>
 #include <cstddef>
 #include <vector>
 
@@ -39,8 +40,9 @@ struct Surface_sample
   }
 
   // Fits the surface around x in so many rounds, and puts the sample on it. In a gap of the input, where
-  // that is no more than a guess, it goes back to the nearest point of the input.
-  void place(const Surface_fit& fit, const Point& x, const Vector& guess, int rounds)
+  // that is no more than a guess, it goes back to the nearest point of the input. Returns the point of the
+  // input that is nearest to the sample.
+  Point place(const Surface_fit& fit, const Point& x, const Vector& guess, int rounds)
   {
     // Of the radius of the ball. Of 19 random points in a disk, none is within that distance of the center
     // once in 40,000 times.
@@ -49,11 +51,24 @@ struct Surface_sample
     static thread_local Neighborhood neighborhood;
     fit_and_move(fit, x, guess, rounds, neighborhood);
     if (!(neighborhood.radius > 0.))
-      return;
+      return point;
     const Point nearest = neighborhood.nearest(point);
     const double largest_distance = gap * neighborhood.radius;
-    if (squared_distance(nearest, point) > largest_distance * largest_distance)
-      fit_and_move(fit, nearest, guess, rounds, neighborhood);
+    if (squared_distance(nearest, point) <= largest_distance * largest_distance)
+      return nearest;
+    fit_and_move(fit, nearest, guess, rounds, neighborhood);
+    return neighborhood.nearest(point);
+  }
+
+  // Moves the sample to `nearest`, a point that is known to be on the surface, if the fit misses that:
+  // it mixes the sides of a part that is hardly thicker than the points are apart.
+  void correct_by(const Point& nearest)
+  {
+    // Of the radius of the fit, more than most points next to a fold of 90 degrees are off, 0.06. With 0.05,
+    // samples on both sides of sharp edges move as well, and errors at 1 % of the points are 2 % larger.
+    constexpr double largest_error = 0.1;
+    if (std::abs(surface.residual(nearest - surface.origin)) > largest_error * surface.radius)
+      point = nearest;
   }
 
 private:

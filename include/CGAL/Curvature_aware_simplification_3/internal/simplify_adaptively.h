@@ -11,6 +11,7 @@
 #include <CGAL/Curvature_aware_simplification_3/internal/Stopwatch.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/denoise_samples.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/features.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/find_outliers.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/loops.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/measure_noise.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/move_to_corners.h>
@@ -67,8 +68,9 @@ Distinct_samples simplify_adaptively(Cloud cloud, std::unique_ptr<Neighbor_searc
   report.number_of_outliers = distinct - points.size();
   report.outliers_time = stopwatch.lap();
 
-  Noise_levels noise = settings.measure_noise ? measure_noise<ConcurrencyTag>(points, *search)
-                                              : uniform_noise(0., points.size());
+  Noise_levels noise = settings.measure_noise
+                           ? measure_noise<ConcurrencyTag>(points, *search, settings)
+                           : uniform_noise(0., points.size());
   if (!settings.noise_by_place)
     noise = uniform_noise(noise.median(), points.size());
   report.noise_level = cloud.frame.length_from_frame(noise.median());
@@ -121,11 +123,15 @@ Distinct_samples simplify_adaptively(Cloud cloud, std::unique_ptr<Neighbor_searc
                                        parameters.repulsion_weight, progress.part(0.6, 0.85));
   report.relaxation_time = stopwatch.lap();
 
+  // one that was not found may be the point nearest to a sample
+  const bool are_outliers_many = is_more_than_a_few(report.number_of_outliers, distinct);
   for_each_index<ConcurrencyTag>(samples.size(), progress.part(0.85, 0.91),
                                  [&](std::size_t i)
                                  {
-    samples[i].place(fit.with(samples[i].noise), samples[i].point, samples[i].normal,
-                     rounds_to_stay);
+    Surface_sample& x = samples[i];
+    const Point nearest = x.place(fit.with(x.noise), x.point, x.normal, rounds_to_stay);
+    if (settings.correct_by_points && !x.noise.is_visible && !are_outliers_many)
+      x.correct_by(nearest);
   });
   if (settings.denoise && noise.is_visible())
     denoise_samples<ConcurrencyTag>(samples, fit, progress.part(0.91, 0.97));

@@ -1,0 +1,93 @@
+// Copyright (c) 2026 The authors of Curvature_aware_simplification_3.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_LAYER_H
+#define CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_LAYER_H
+
+#include <CGAL/Curvature_aware_simplification_3/internal/Covariance_sums.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/Neighbor_search.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/Neighborhood.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/fit_quadric.h>
+
+#include <Eigen/Core>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+namespace CGAL {
+namespace Curvature_aware_simplification_3 {
+namespace internal {
+
+// How points look around a place: a layer with a thickness and an extent
+struct Layer
+{
+  double thickness = 0.; // standard deviation of the heights
+  double width = 0.;     // radius of a disk with the lesser of the two extents in its plane
+};
+
+// The thickness from a sum of squared residuals of n points over a fitted surface, such that of Gaussian
+// noise, half of the fits show more and half less: the median of chi^2 with d degrees of freedom is about
+// d (1 - 2 / (9 d))^3 (Wilson and Hilferty 1931).
+inline double thickness(double sum_of_squares, std::size_t n, double number_of_coefficients)
+{
+  const double d = (std::max)(static_cast<double>(n) - number_of_coefficients, 1.);
+  const double root = 1. - 2. / (9. * d);
+  return std::sqrt(sum_of_squares / (d * root * root * root));
+}
+
+inline Covariance_sums covariance_sums(const Neighborhood& neighborhood)
+{
+  Covariance_sums sums;
+  for (const Neighborhood::Neighbor& neighbor : neighborhood.neighbors)
+    sums.add(neighbor.position);
+  return sums;
+}
+
+// lambda_1 of a disk is a quarter of the square of its radius
+inline double width(double lambda_1)
+{
+  return 2. * std::sqrt((std::max)(lambda_1, 0.));
+}
+
+// The k nearest points, around the quadric fitted to them
+struct Layer_around_quadric
+{
+  Layer operator()(const Neighbor_search& search, const Point& place, std::size_t k) const
+  {
+    static thread_local Neighborhood neighborhood;
+    neighborhood.collect(search, place, k);
+    Local_surface surface;
+    if (!(neighborhood.radius > 0.) || !fit_quadric_over_plane(neighborhood, 0., surface))
+      return Layer();
+    double sum = 0.;
+    for (const Neighborhood::Neighbor& neighbor : neighborhood.neighbors)
+    {
+      const double e = surface.residual(neighbor.position);
+      sum += e * e;
+    }
+    return {thickness(sum, neighborhood.size(), 6.),
+            width(eigenvalues(covariance_sums(neighborhood))(1))};
+  }
+};
+
+// The k nearest points, around their plane
+struct Layer_around_plane
+{
+  Layer operator()(const Neighbor_search& search, const Point& place, std::size_t k) const
+  {
+    static thread_local Neighborhood neighborhood;
+    neighborhood.collect(search, place, k);
+    const Eigen::Vector3d lambda = eigenvalues(covariance_sums(neighborhood));
+    const std::size_t n = neighborhood.size();
+    return {thickness((std::max)(lambda(0), 0.) * static_cast<double>(n), n, 3.), width(lambda(1))};
+  }
+};
+
+} // namespace internal
+} // namespace Curvature_aware_simplification_3
+} // namespace CGAL
+
+#endif // CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_LAYER_H
