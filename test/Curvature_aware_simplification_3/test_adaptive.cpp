@@ -529,6 +529,20 @@ TEST(Noise_level, of_a_thick_part_of_few_points_is_that_of_others)
   }
 }
 
+TEST(Noise_level, is_found_on_lines_of_a_scan)
+{
+  // Lines 1 apart, with points 1/4 apart and noise of the range alone: the 7 nearest are on one line, and in
+  // no plane that would show their noise.
+  const double sigma = 0.05;
+  CGAL::Random random(41);
+  std::vector<Point> points;
+  for (int i = 0; i < 50; ++i)
+    for (int j = 0; j < 200; ++j)
+      points.emplace_back(i, 0.25 * j, sigma * surfaces::normal_deviate(random));
+  for (double level : noise_of_points(make_cloud<Tag>(points, 1e-16)))
+    EXPECT_NEAR(level, sigma, 0.25 * sigma);
+}
+
 TEST(Noise_levels, have_ranges_of_points)
 {
   const Noise_levels noise{{{1., 1.}, {3., 3.}, {2., 2.}}, 7};

@@ -25,6 +25,7 @@
 #include <cstdint>
 #include <limits>
 #include <numeric>
+#include <optional>
 #include <random>
 #include <set>
 #include <utility>
@@ -522,14 +523,17 @@ TEST(Relaxation, of_one_sample_among_three_points_by_hand)
   const Neighbor_search search(points, Tag());
   const Attractors attractors{
       search, {weights.attraction(0.), weights.attraction(20.), weights.attraction(1.)}};
-  const Vector attracted = attraction(attractors, Point(0, 0, 0), 4.);
+  const Vector attracted = attraction(attractors, Point(0, 0, 0), 4.).mean;
   // (w1, w2, 2 w3) / (w1 + w2 + w3) with w1 = 0.1 / e, w2 = 1.42890365 / e, w3 = 0.67142857 / e^4 / 2
   EXPECT_NEAR(attracted.x(), 0.0646990443, 1e-6);
   EXPECT_NEAR(attracted.y(), 0.9244870086, 1e-6);
   EXPECT_NEAR(attracted.z(), 0.0216278943, 1e-6);
 
-  const Samples samples{{Point(0, 0, 0), Point(0.5, 0, 0), Point(0, -1, 0)}, {1., 0., 20.}};
-  const Neighbor_search sample_search(samples.points, Tag());
+  EXPECT_EQ(attraction(attractors, Point(0.5, 0, 0), 4.).nearest, std::size_t(0));
+  EXPECT_EQ(attraction(attractors, Point(0, 0, 2.5), 4.).nearest, std::size_t(2));
+
+  const std::vector<Point> samples = {Point(0, 0, 0), Point(0.5, 0, 0), Point(0, -1, 0)};
+  const Neighbor_search sample_search(samples, Tag());
   const std::vector<double> amplitude = {weights.repulsion_amplitude(1.),
                                          weights.repulsion_amplitude(0.),
                                          weights.repulsion_amplitude(20.)};
@@ -539,24 +543,32 @@ TEST(Relaxation, of_one_sample_among_three_points_by_hand)
   EXPECT_NEAR(repelled.z(), 0., 1e-15);
 
   // both together, mu = 0.45
-  const Samples moved = relax<Tag>(
-      samples, attractors, weights, Relaxation{4., 0.45, false}, [](const Point&) { return 7.; },
-      Progress(no_callback));
-  EXPECT_NEAR(moved.points[0].x(), -0.1423222112, 1e-6);
-  EXPECT_NEAR(moved.points[0].y(), 0.9604444976, 1e-6);
-  EXPECT_NEAR(moved.points[0].z(), 0.0216278943, 1e-6);
-  EXPECT_EQ(moved.curvature[0], 7.);
+  const auto curvature_at = [](const Point& x, const std::optional<std::size_t>& nearest)
+  {
+    EXPECT_TRUE(nearest);
+    return x.x() > 0. ? 0. : x.y() < 0. ? 20. : 1.;
+  };
+  const std::vector<Point> moved =
+      relax<Tag>(samples, attractors, weights, Relaxation{4., 0.45, false}, curvature_at,
+                 Progress(no_callback));
+  EXPECT_NEAR(moved[0].x(), -0.1423222112, 1e-6);
+  EXPECT_NEAR(moved[0].y(), 0.9604444976, 1e-6);
+  EXPECT_NEAR(moved[0].z(), 0.0216278943, 1e-6);
 }
 
 TEST(Relaxation, without_anything_in_reach_stays)
 {
   const std::vector<Point> far = {Point(100, 0, 0)};
   const Neighbor_search search(far, Tag());
-  const Samples samples{{Point(0, 0, 0)}, {0.}};
-  const Samples moved = relax<Tag>(
-      samples, Attractors{search, {1.}}, Curvature_weights(2.), Relaxation{1., 0.45, true},
-      [](const Point&) { return 0.; }, Progress(no_callback));
-  EXPECT_EQ(moved.points[0], Point(0, 0, 0));
+  const auto curvature_at = [](const Point&, const std::optional<std::size_t>& nearest)
+  {
+    EXPECT_FALSE(nearest);
+    return 0.;
+  };
+  const std::vector<Point> moved =
+      relax<Tag>({Point(0, 0, 0)}, Attractors{search, {1.}}, Curvature_weights(2.),
+                 Relaxation{1., 0.45, true}, curvature_at, Progress(no_callback));
+  EXPECT_EQ(moved[0], Point(0, 0, 0));
 }
 
 TEST(Density_weights, of_two_points_by_hand)

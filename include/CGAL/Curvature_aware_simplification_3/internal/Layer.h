@@ -26,6 +26,7 @@ struct Layer
 {
   double thickness = 0.; // standard deviation of the heights
   double width = 0.;     // radius of a disk with the lesser of the two extents in its plane
+  double length = 0.;    // and with the greater
 };
 
 // The thickness from a sum of squared residuals of n points over a fitted surface, such that of Gaussian
@@ -46,10 +47,10 @@ inline Covariance_sums covariance_sums(const Neighborhood& neighborhood)
   return sums;
 }
 
-// lambda_1 of a disk is a quarter of the square of its radius
-inline double width(double lambda_1)
+// An eigenvalue of the covariance matrix of a disk is a quarter of the square of its radius.
+inline double radius_of_disk(double lambda)
 {
-  return 2. * std::sqrt((std::max)(lambda_1, 0.));
+  return 2. * std::sqrt((std::max)(lambda, 0.));
 }
 
 // The k nearest points, around the quadric fitted to them
@@ -68,8 +69,9 @@ struct Layer_around_quadric
       const double e = surface.residual(neighbor.position);
       sum += e * e;
     }
-    return {thickness(sum, neighborhood.size(), 6.),
-            width(eigenvalues(covariance_sums(neighborhood))(1))};
+    const Eigen::Vector3d lambda = eigenvalues(covariance_sums(neighborhood));
+    return {thickness(sum, neighborhood.size(), 6.), radius_of_disk(lambda(1)),
+            radius_of_disk(lambda(2))};
   }
 };
 
@@ -82,7 +84,8 @@ struct Layer_around_plane
     neighborhood.collect(search, place, k);
     const Eigen::Vector3d lambda = eigenvalues(covariance_sums(neighborhood));
     const std::size_t n = neighborhood.size();
-    return {thickness((std::max)(lambda(0), 0.) * static_cast<double>(n), n, 3.), width(lambda(1))};
+    return {thickness((std::max)(lambda(0), 0.) * static_cast<double>(n), n, 3.),
+            radius_of_disk(lambda(1)), radius_of_disk(lambda(2))};
   }
 };
 

@@ -85,7 +85,8 @@ std::vector<Layer> median_layers(const Noise_probes& probes, const std::vector<s
                                  {
     const std::vector<std::size_t>& near = probes.of_range[ranges[r]];
     medians[ranges[r]] = {median_of(near, [&](std::size_t i) { return layers[i].thickness; }),
-                          median_of(near, [&](std::size_t i) { return layers[i].width; })};
+                          median_of(near, [&](std::size_t i) { return layers[i].width; }),
+                          median_of(near, [&](std::size_t i) { return layers[i].length; })};
   });
   return medians;
 }

@@ -94,6 +94,9 @@ std::vector<double> noise_around_planes(const Noise_probes& probes, const Neighb
   constexpr std::size_t k = 7; // a point and the ring around it
   // A plane turns along the noise as well: with 5, it shows up to a tenth too little of it.
   constexpr double wide_enough = 6.;
+  // The width over the length: points on one line of a scan, whose lines are farther apart than the points on
+  // them, tell no plane. It is 0.6 for random points.
+  constexpr double broad_enough = 1. / 3.;
 
   const std::vector<std::size_t> ranges = all_ranges(probes);
   const auto layers = [&](std::size_t number)
@@ -101,7 +104,8 @@ std::vector<double> noise_around_planes(const Noise_probes& probes, const Neighb
   const std::vector<Layer> narrow = layers(k), wide = layers(2 * k);
   std::vector<double> levels(ranges.size(), std::numeric_limits<double>::infinity());
   for (std::size_t range : ranges)
-    if (narrow[range].width >= wide_enough * narrow[range].thickness)
+    if (narrow[range].width >= wide_enough * narrow[range].thickness &&
+        narrow[range].width >= broad_enough * narrow[range].length)
       levels[range] = noise_of_layers(narrow[range], wide[range]);
   return levels;
 }

@@ -14,6 +14,8 @@
 
 #include <cmath>
 #include <cstddef>
+#include <limits>
+#include <optional>
 #include <vector>
 
 namespace CGAL {
@@ -25,13 +27,6 @@ struct Attractors
 {
   const Neighbor_search& search;
   std::vector<double> weight; // phi_1(kappa_j), over the density v_j if that is wanted
-};
-
-// The points that move
-struct Samples
-{
-  std::vector<Point> points;
-  std::vector<double> curvature; // scaled to [0, 20]
 };
 
 // What stays the same in all iterations
@@ -60,9 +55,15 @@ private:
   double m_weight = 0.;
 };
 
-// First term of eq. 8, relative to the sample: the mean of (p_j - x) with the weights
-// alpha_j phi_1(kappa_j), alpha_j = theta(r) / r, r = |x - p_j|
-inline Vector attraction(const Attractors& attractors, const Point& x, double radius)
+// What a sample meets in its ball of radius h
+struct Attraction
+{
+  Vector mean;                        // first term of eq. 8, relative to the sample
+  std::optional<std::size_t> nearest; // input point, if any is in the ball
+};
+
+// The mean of (p_j - x) with the weights alpha_j phi_1(kappa_j), alpha_j = theta(r) / r, r = |x - p_j|
+inline Attraction attraction(const Attractors& attractors, const Point& x, double radius)
 {
   const Theta theta(radius);
   // "A very small value added to all denominators" (paper, sec. 5), small against h: a sample that
@@ -70,24 +71,31 @@ inline Vector attraction(const Attractors& attractors, const Point& x, double ra
   const double tiny = 1e-6 * radius;
 
   Weighted_mean mean;
+  std::optional<std::size_t> nearest;
+  double least = std::numeric_limits<double>::infinity();
   attractors.search.for_each_within(x, radius,
                                     [&](std::size_t j, const Point& p, double squared_distance)
                                     {
+    if (squared_distance < least)
+    {
+      least = squared_distance;
+      nearest = j;
+    }
     const double alpha = theta(squared_distance) / (std::sqrt(squared_distance) + tiny);
     mean.add(alpha * attractors.weight[j], p - x);
   });
-  return mean.mean();
+  return {mean.mean(), nearest};
 }
 
 // Second term of eq. 8: the mean of (x - x_i) with the weights beta_i phi_2(kappa, kappa_i),
 // beta_i = theta(r) / r |eta'(r)| with eta(r) = -r (Huang et al. 2009), so |eta'| = 1.
 // `density` holds the weights w_i of Huang et al., or is empty.
-inline Vector repulsion(const Samples& samples, const Neighbor_search& search,
+inline Vector repulsion(const std::vector<Point>& samples, const Neighbor_search& search,
                         const std::vector<double>& amplitude, const std::vector<double>& density,
                         double radius, std::size_t sample)
 {
   const Theta theta(radius);
-  const Point& x = samples.points[sample];
+  const Point& x = samples[sample];
 
   Weighted_mean mean;
   search.for_each_within(x, radius,
@@ -102,35 +110,35 @@ inline Vector repulsion(const Samples& samples, const Neighbor_search& search,
   return mean.mean();
 }
 
-// One iteration of eq. 8 for all samples at once; `curvature_at(x)` is the scaled surface variation
-// of a sample at x. O(N (log M + neighbors))
+// One iteration of eq. 8 for all samples at once; `curvature_at(x, nearest)` is the scaled surface variation
+// of a sample at x, whose nearest input point is known if it is in the ball. O(N (log M + neighbors))
 template <typename ConcurrencyTag, typename CurvatureAt>
-Samples relax(const Samples& samples, const Attractors& attractors,
-              const Curvature_weights& curvature_weights, const Relaxation& relaxation,
-              const CurvatureAt& curvature_at, const Progress& progress)
+std::vector<Point> relax(const std::vector<Point>& samples, const Attractors& attractors,
+                         const Curvature_weights& curvature_weights, const Relaxation& relaxation,
+                         const CurvatureAt& curvature_at, const Progress& progress)
 {
-  const std::size_t n = samples.points.size();
+  const std::size_t n = samples.size();
   const double h = relaxation.radius;
-  const Neighbor_search search(samples.points, ConcurrencyTag());
-
-  std::vector<double> density;
-  if (relaxation.use_density_weights)
-    density = density_weights<ConcurrencyTag>(samples.points, search, h, progress.part(0., 0.));
+  std::vector<Vector> attracted(n);
   std::vector<double> amplitude(n);
-  for_each_index<ConcurrencyTag>(0, n,
-                                 [&](std::size_t i) {
-    amplitude[i] = curvature_weights.repulsion_amplitude(samples.curvature[i]);
-  });
-
-  Samples moved = samples;
-  for_each_index<ConcurrencyTag>(n, progress,
+  for_each_index<ConcurrencyTag>(n, progress.part(0., 0.8),
                                  [&](std::size_t i)
                                  {
-    const Point& x = samples.points[i];
-    const Vector attracted = attraction(attractors, x, h);
-    const Vector repulsed = repulsion(samples, search, amplitude, density, h, i);
-    moved.points[i] = x + attracted + relaxation.repulsion_weight * repulsed;
-    moved.curvature[i] = curvature_at(moved.points[i]);
+    const Attraction found = attraction(attractors, samples[i], h);
+    attracted[i] = found.mean;
+    amplitude[i] = curvature_weights.repulsion_amplitude(curvature_at(samples[i], found.nearest));
+  });
+
+  const Neighbor_search search(samples, ConcurrencyTag());
+  std::vector<double> density;
+  if (relaxation.use_density_weights)
+    density = density_weights<ConcurrencyTag>(samples, search, h, progress.part(0.8, 0.8));
+  std::vector<Point> moved(n);
+  for_each_index<ConcurrencyTag>(n, progress.part(0.8, 1.),
+                                 [&](std::size_t i)
+                                 {
+    moved[i] = samples[i] + attracted[i] +
+               relaxation.repulsion_weight * repulsion(samples, search, amplitude, density, h, i);
   });
   return moved;
 }

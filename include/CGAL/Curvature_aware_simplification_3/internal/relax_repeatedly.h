@@ -18,6 +18,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 namespace CGAL {
@@ -49,23 +50,21 @@ std::vector<Point> relax_repeatedly(const std::vector<Point>& initial_samples, c
   }
 
   const std::size_t neighborhood = neighborhood_size(parameters.number_of_neighbors, cloud.size());
-  const auto curvature_at = [&](const Point& x)
+  const auto curvature_at = [&](const Point& x, const std::optional<std::size_t>& nearest)
   {
     double curvature = 0.;
     if (parameters.recompute_curvature) // paper, sec. 5.3
       curvature = local_features<DiagonalizeTraits>(search, x, neighborhood, cloud.coordinate_error)
                       .curvature;
-    else // that of the nearest input point (paper, sec. 4.2)
+    else if (nearest) // that of the nearest input point (paper, sec. 4.2)
+      curvature = features.curvature[*nearest];
+    else
       search.for_each_nearest(
           x, 1, [&](std::size_t j, const Point&, double) { curvature = features.curvature[j]; });
     return (std::min)(scale * curvature, Curvature_weights::maximum_curvature);
   };
 
-  Samples samples{initial_samples, std::vector<double>(initial_samples.size())};
-  for_each_index<ConcurrencyTag>(0, samples.points.size(),
-                                 [&](std::size_t i)
-                                 { samples.curvature[i] = curvature_at(samples.points[i]); });
-
+  std::vector<Point> samples = initial_samples;
   const Relaxation relaxation{h, parameters.repulsion_weight, parameters.require_uniform_sampling};
   const Progress iterations_progress =
       progress.part(parameters.require_uniform_sampling ? 0.2 : 0., 1.);
@@ -77,7 +76,7 @@ std::vector<Point> relax_repeatedly(const std::vector<Point>& initial_samples, c
         samples, attractors, curvature_weights, relaxation, curvature_at,
         iterations_progress.part(done / iterations, (done + 1.) / iterations));
   }
-  return samples.points;
+  return samples;
 }
 
 } // namespace internal
