@@ -80,6 +80,6 @@ def ablation(comparison, igea, meshes, output):
                          *(f"{math.exp(sum(v) / len(v)):.2f}" if v else "–"
                            for v in [*logarithms.values(), everything])])
     return ("Error with one idea switched off, over that with all of them, as geometric means over "
-            "Igea, the elephant, the anchor, the rotor, the rounded box and the wavy patch, two seeds each: above "
-            "1, the idea helps. The largest errors of two seeds scatter by several percent.\n\n"
+            "Igea, the elephant, the anchor, the rotor, the rounded box and the wavy patch, two seeds "
+            "each: above 1, the idea helps. The largest errors of two seeds scatter by several percent.\n\n"
             + write_table(output / "ablation.csv", rows))

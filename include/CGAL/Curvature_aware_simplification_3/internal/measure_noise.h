@@ -78,7 +78,7 @@ std::vector<double> noise_around_quadrics(const Noise_probes& probes, const Neig
     narrow.swap(wide);
   }
   const bool are_too_few = k <= largest && 2 * unknown.size() >= levels.size();
-  std::vector<double> values = levels; // the median reorders them
+  std::vector<double> values = levels; // a copy, which the median reorders
   const double limit = are_too_few ? 0. : median(values);
   for (std::size_t range : unknown)
     levels[range] = (std::min)(levels[range], limit);
@@ -86,7 +86,7 @@ std::vector<double> noise_around_quadrics(const Noise_probes& probes, const Neig
 }
 
 // The same for layers around planes, which reach half as far: they see only one side of a part that is as thick
-// as 1.5 spacings of the points, and less of details that these hardly show. Infinite where they are too
+// as 1.6 spacings of the points, and less of details that these hardly show. Infinite where they are too
 // narrow to tell.
 template <typename ConcurrencyTag>
 std::vector<double> noise_around_planes(const Noise_probes& probes, const Neighbor_search& search)

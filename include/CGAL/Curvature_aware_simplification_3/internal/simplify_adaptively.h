@@ -66,6 +66,8 @@ Distinct_samples simplify_adaptively(Cloud cloud, std::unique_ptr<Neighbor_searc
   if (settings.find_outliers)
     remove_outliers<ConcurrencyTag>(cloud, search, shared, k, number_of_samples);
   report.number_of_outliers = distinct - points.size();
+  // Then the point nearest to a sample may be one that was not found.
+  const bool are_outliers_many = is_more_than_a_few(distinct - points.size(), distinct);
   report.outliers_time = stopwatch.lap();
 
   Noise_levels noise = settings.measure_noise
@@ -123,8 +125,6 @@ Distinct_samples simplify_adaptively(Cloud cloud, std::unique_ptr<Neighbor_searc
                                        parameters.repulsion_weight, progress.part(0.6, 0.85));
   report.relaxation_time = stopwatch.lap();
 
-  // one that was not found may be the point nearest to a sample
-  const bool are_outliers_many = is_more_than_a_few(report.number_of_outliers, distinct);
   for_each_index<ConcurrencyTag>(samples.size(), progress.part(0.85, 0.91),
                                  [&](std::size_t i)
                                  {
