@@ -48,7 +48,7 @@ struct Stages
       features(compute_features<Tag, Diagonalize_traits>(cloud, search, 16, Progress(no_callback))),
       parameters(read_parameters(
           CGAL::parameters::number_of_output_points(size / 10).number_of_iterations(1), size)),
-      samples(distinct_samples(cloud, select_points<Tag>(cloud, features, parameters)).points),
+      samples(distinct_samples<Tag>(cloud, select_points<Tag>(cloud, features, parameters)).points),
       radius(radius_in_spacings * sample_spacing<Tag>(samples)),
       fit{search, cloud.size()}
   {}

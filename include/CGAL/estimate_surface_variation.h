@@ -18,6 +18,7 @@
 #include <cstddef>
 #include <functional>
 #include <type_traits>
+#include <vector>
 
 namespace CGAL {
 
@@ -116,9 +117,10 @@ bool estimate_surface_variation(PointRange& points, unsigned int k,
     const Neighbor_search search(cloud.points, ConcurrencyTag());
     const Features features = compute_features<ConcurrencyTag, typename Types::Diagonalize_traits>(
         cloud, search, k, progress);
+    const std::vector<std::size_t> distinct_index = distinct_indices<ConcurrencyTag>(cloud);
     std::size_t i = 0;
     for (auto&& element : points)
-      put(surface_variation_map, element, features.curvature[cloud.distinct_index[i++]]);
+      put(surface_variation_map, element, features.curvature[distinct_index[i++]]);
     return true;
   }
   catch (const Cancelled&)

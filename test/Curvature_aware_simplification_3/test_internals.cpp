@@ -28,6 +28,7 @@
 #include <optional>
 #include <random>
 #include <set>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -268,16 +269,31 @@ TEST(Cloud, merges_duplicates_and_keeps_track)
   const Cloud cloud = cloud_of(points);
   ASSERT_EQ(cloud.size(), 300u);
   ASSERT_EQ(cloud.input_size(), 500u);
+  EXPECT_EQ(cloud.duplicates.size(), 200u);
+  const std::vector<std::size_t> distinct_index = distinct_indices<Tag>(cloud);
   for (std::size_t i = 0; i < points.size(); ++i)
   {
-    const std::size_t j = cloud.distinct_index[i];
+    const std::size_t j = distinct_index[i];
     EXPECT_EQ(cloud.input_index[j], i < 300 ? i : (i - 300) / 2);
     EXPECT_LT(CGAL::squared_distance(cloud.frame.from_frame(cloud.points[j]), points[i]), 1e-30);
   }
 }
 
-TEST(Cloud, finds_the_first_of_equal_points)
+TEST(Cloud, finds_duplicates_and_the_first_of_each)
 {
+  const auto first_equal = [](const std::vector<Point>& points, const auto& tag)
+  {
+    std::vector<std::size_t> result(points.size());
+    std::iota(result.begin(), result.end(), std::size_t(0));
+    for (const Duplicate& d : find_duplicates<std::decay_t<decltype(tag)>>(points))
+    {
+      EXPECT_EQ(result[d.index], d.index) << "found twice";
+      EXPECT_LT(d.first, d.index);
+      result[d.index] = d.first;
+    }
+    return result;
+  };
+
   // all equal, none equal, many equal on a lattice, zeros of both signs; against a search by brute force
   std::vector<Point> lattice, zeros;
   for (std::size_t i = 0; i < 1000; ++i)
@@ -293,8 +309,8 @@ TEST(Cloud, finds_the_first_of_equal_points)
     for (const Point& p : points)
       expected.push_back(
           static_cast<std::size_t>(std::find(points.begin(), points.end(), p) - points.begin()));
-    EXPECT_EQ(first_of_equal_points<CGAL::Sequential_tag>(points), expected);
-    EXPECT_EQ(first_of_equal_points<Tag>(points), expected);
+    EXPECT_EQ(first_equal(points, CGAL::Sequential_tag()), expected);
+    EXPECT_EQ(first_equal(points, Tag()), expected);
   }
 }
 
@@ -600,7 +616,7 @@ TEST(Loops, count_in_64_bits)
   EXPECT_NE(random.bits(7), random.bits((std::uint64_t(1) << 32) + 7));
 
   static_assert(sizeof(decltype(Cloud::input_index)::value_type) == 8, "indices of input points");
-  static_assert(sizeof(decltype(Cloud::distinct_index)::value_type) == 8, "of distinct points");
+  static_assert(sizeof(Duplicate::index) == 8 && sizeof(Duplicate::first) == 8, "of duplicates");
   static_assert(sizeof(decltype(select_along_curve<Tag>({1, 1}, {}, 0, 0))::value_type) == 8,
                 "of samples");
 }

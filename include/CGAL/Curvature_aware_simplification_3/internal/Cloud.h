@@ -16,9 +16,13 @@
 #include <CGAL/Bbox_3.h>
 #include <CGAL/Hilbert_sort_median_3.h>
 
+#include <boost/core/noinit_adaptor.hpp>
+
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <functional>
+#include <memory>
 #include <utility>
 #include <vector>
 
@@ -36,19 +40,38 @@ struct Cloud
   Frame frame;
   std::vector<Point> points;            // distinct, in the frame
   std::vector<std::size_t> input_index; // of each distinct point: its first position in the input
-  std::vector<std::size_t> distinct_index; // of each input point: its distinct point
-  double coordinate_error;                 // of the points, from rounding in the input
+  std::vector<Duplicate> duplicates;    // all other points of the input
+  double coordinate_error;              // of the points, from rounding in the input
 
   std::size_t size() const { return points.size(); }
-  std::size_t input_size() const { return distinct_index.size(); }
+  std::size_t input_size() const { return points.size() + duplicates.size(); }
 };
+
+// Of each input point: its distinct point. O(n), but by jumps through memory, so that only those ask who
+// must know.
+template <typename ConcurrencyTag>
+std::vector<std::size_t> distinct_indices(const Cloud& cloud)
+{
+  std::vector<std::size_t> result(cloud.input_size());
+  for_each_index<ConcurrencyTag>(0, cloud.size(),
+                                 [&](std::size_t i) { result[cloud.input_index[i]] = i; });
+  for_each_index<ConcurrencyTag>(0, cloud.duplicates.size(),
+                                 [&](std::size_t d) {
+    result[cloud.duplicates[d].index] = result[cloud.duplicates[d].first];
+  });
+  return result;
+}
 
 // Sorts points with their positions in the input: sorting positions alone would jump through memory with
 // each comparison. Points that agree in the coordinate compared are told apart by the next ones, so that
 // the order along the curve does not depend on that of the input. A model of CGAL's SpatialSortingTraits_3.
 struct Sort_traits
 {
-  using Point_3 = std::pair<Point, std::size_t>;
+  struct Point_3
+  {
+    Point point;
+    std::size_t index;
+  };
 
   template <int axis>
   struct Less
@@ -56,8 +79,8 @@ struct Sort_traits
     bool operator()(const Point_3& p, const Point_3& q) const
     {
       for (int i = axis; i < axis + 3; ++i)
-        if (p.first[i % 3] != q.first[i % 3])
-          return p.first[i % 3] < q.first[i % 3];
+        if (p.point[i % 3] != q.point[i % 3])
+          return p.point[i % 3] < q.point[i % 3];
       return false;
     }
   };
@@ -89,11 +112,16 @@ Cloud make_cloud(std::vector<Point> coordinates, double relative_error)
     coordinates[i] = frame.to_frame(p.x(), p.y(), p.z());
   });
 
-  const std::vector<std::size_t> first_equal = first_of_equal_points<ConcurrencyTag>(coordinates);
+  std::vector<Duplicate> duplicates = find_duplicates<ConcurrencyTag>(coordinates);
+  std::vector<std::uint8_t> is_duplicate(n);
+  for_each_index<ConcurrencyTag>(0, duplicates.size(),
+                                 [&](std::size_t d) { is_duplicate[duplicates[d].index] = 1; });
   const std::vector<std::size_t> firsts =
-      indices_where<ConcurrencyTag>(n, [&](std::size_t i) { return first_equal[i] == i; });
+      indices_where<ConcurrencyTag>(n, [&](std::size_t i) { return is_duplicate[i] == 0; });
   const std::size_t distinct = firsts.size();
-  std::vector<Sort_traits::Point_3> sorted(distinct);
+  // The first who writes to memory that is new to the process waits for it: the threads, and not this one.
+  using Element = Sort_traits::Point_3;
+  std::vector<Element, boost::noinit_adaptor<std::allocator<Element>>> sorted(distinct);
   for_each_index<ConcurrencyTag>(0, distinct,
                                  [&](std::size_t i) {
     sorted[i] = {coordinates[firsts[i]], firsts[i]};
@@ -104,21 +132,13 @@ Cloud make_cloud(std::vector<Point> coordinates, double relative_error)
 
   std::vector<Point> points(distinct);
   std::vector<std::size_t> input_index(distinct);
-  std::vector<std::size_t> distinct_index(n);
   for_each_index<ConcurrencyTag>(0, distinct,
                                  [&](std::size_t i)
                                  {
-    points[i] = sorted[i].first;
-    input_index[i] = sorted[i].second;
-    distinct_index[input_index[i]] = i;
+    points[i] = sorted[i].point;
+    input_index[i] = sorted[i].index;
   });
-  for_each_index<ConcurrencyTag>(0, n,
-                                 [&](std::size_t i)
-                                 {
-    if (first_equal[i] != i)
-      distinct_index[i] = distinct_index[first_equal[i]];
-  });
-  return Cloud{frame, std::move(points), std::move(input_index), std::move(distinct_index),
+  return Cloud{frame, std::move(points), std::move(input_index), std::move(duplicates),
                frame.length_to_frame(relative_error * largest_coordinate)};
 }
 

@@ -7,6 +7,7 @@
 #define CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_DISTINCT_SAMPLES_H
 
 #include <CGAL/Curvature_aware_simplification_3/internal/Cloud.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/scan.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -26,13 +27,11 @@ struct Distinct_samples
 
 // Duplicates are selected only where there are too few distinct points. Nothing would tell their
 // samples apart in eq. 8, so one is relaxed for all of them.
-inline Distinct_samples distinct_samples(const Cloud& cloud,
-                                         const std::vector<std::size_t>& selected)
+template <typename ConcurrencyTag>
+Distinct_samples distinct_samples(const Cloud& cloud, const std::vector<std::size_t>& selected)
 {
-  std::vector<std::size_t> order;
-  order.reserve(selected.size());
-  for (std::size_t i : selected)
-    order.push_back(cloud.distinct_index[i]);
+  std::vector<std::size_t> order =
+      elements_at<ConcurrencyTag>(selected, distinct_indices<ConcurrencyTag>(cloud));
   std::sort(order.begin(), order.end());
 
   Distinct_samples samples;

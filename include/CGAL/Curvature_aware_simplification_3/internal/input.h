@@ -59,6 +59,7 @@ template <typename PointRange, typename PointMap>
 std::vector<Point> read_coordinates(const PointRange& points, const PointMap& point_map)
 {
   std::vector<Point> coordinates;
+  coordinates.reserve(number_of_elements(points));
   for (const auto& element : points)
   {
     const auto& p = get(point_map, element);

@@ -82,17 +82,14 @@ std::vector<std::size_t> select_points(const Cloud& cloud, const Features& featu
     DUPLICATE
   };
   const Counter_based_random draw(parameters.random_seed, 0), removal(parameters.random_seed, 1);
-  std::vector<State> state(cloud.input_size());
-  for_each_index<ConcurrencyTag>(0, state.size(),
-                                 [&](std::size_t i)
+  std::vector<State> state(cloud.input_size(), DUPLICATE);
+  for_each_index<ConcurrencyTag>(0, cloud.size(),
+                                 [&](std::size_t j)
                                  {
-    const std::size_t j = cloud.distinct_index[i];
-    if (cloud.input_index[j] != i)
-      state[i] = DUPLICATE;
-    else
-      state[i] = draw.uniform(i) < probability(features.curvature[j], features.inverse_density[j])
-                     ? DRAWN
-                     : DISTINCT;
+    const std::size_t i = cloud.input_index[j];
+    state[i] = draw.uniform(i) < probability(features.curvature[j], features.inverse_density[j])
+                   ? DRAWN
+                   : DISTINCT;
   });
 
   std::vector<std::size_t> selected =
