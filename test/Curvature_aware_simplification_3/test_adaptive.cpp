@@ -1070,6 +1070,31 @@ TEST(Sampling_density, tends_to_uniform_with_alpha)
   EXPECT_NEAR(last, 1., 1e-9);
 }
 
+// Two halves of a plane, one with 10 times as many points. The density is even, as long as samples are no more
+// than 0.85 times as dense as the points of the sparse half, of which there are 4000.
+TEST(Sampling_density, is_even_where_samples_are_nearly_as_dense_as_points)
+{
+  std::vector<Point> points;
+  CGAL::Random random(97);
+  for (int i = 0; i < 44000; ++i)
+    points.emplace_back(random.uniform_real(0., 1.) + (i < 40000 ? 0. : 1.),
+                        random.uniform_real(0., 1.), 0.);
+  const Cloud cloud = make_cloud<Tag>(points, 1e-16);
+  for (const auto& [n, ratio] :
+       {std::pair(1000u, 1.), {3600u, 1.}, {5600u, 1.}, {16000u, 3400. / 12600.}})
+  {
+    const Sampling_density wanted = density_of(cloud, n, 2. / 3., 0.);
+    std::vector<double> dense, sparse;
+    for (std::size_t i = 0; i < cloud.size(); ++i)
+    {
+      const double x = cloud.frame.from_frame(cloud.points[i]).x();
+      if (std::abs(x - 1.) > 0.2)
+        (x < 1. ? dense : sparse).push_back(wanted.density[wanted.ranges.range_of(i)]);
+    }
+    EXPECT_NEAR(median(sparse) / median(dense) / ratio, 1., 0.1) << n;
+  }
+}
+
 TEST(Sampling_density, follows_the_curvature)
 {
   // a torus with radii 3 and 1 has the principal curvatures 1 and 1/4 on the outer side, 1 and -1/2

@@ -41,6 +41,11 @@ struct Adaptive_settings
   // thickness, and reconstruction wants spacings that vary slowly: with 0.2, a plate of 1.5 % of
   // the diagonal was lost.
   double least_curvature = 0.5;
+  // Samples are at most half as dense as the points, but where these are so sparse that not even a uniform
+  // density could be had like that: there, samples may be so dense against them. With 0.5, where density
+  // falls 10 : 1, the 99th percentile of the error is 6 % larger; with 1 it is as with 0.85, and samples are
+  // farther from the surface.
+  double densest_in_sparse_regions = 0.85;
 
   // How far samples repel each other, in spacings. With 1.22, theta is about that of the paper for h of
   // 2 spacings, which knows only the nearest neighbor, and is slow to even out.

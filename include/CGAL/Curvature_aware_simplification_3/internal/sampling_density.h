@@ -69,7 +69,8 @@ Sampling_density sampling_density(const std::vector<Point>& points,
                                   const Noise_levels& noise, double coordinate_error,
                                   const Adaptive_settings& settings, const Progress& progress)
 {
-  // Not more than one sample for two input points, unless that many are asked for
+  // Not more than one sample for two input points, unless a uniform density asks for more: a denser one
+  // could show no more than the points do.
   constexpr double densest = 0.5;
   // Pieces are small against the balls, about 16 in each. Where the input is sparse, balls hold no fewer
   // than 4, which is one piece to each side, and no fewer points than about 17, so that the height over
@@ -154,7 +155,9 @@ Sampling_density sampling_density(const std::vector<Point>& points,
                                    [&](std::size_t i)
                                    {
       const double point_density = static_cast<double>(ranges.size(i)) / range_area[i];
-      density[i] = (std::min)(factor * density[i], densest * point_density);
+      const double limit = std::clamp(number / total_area, densest * point_density,
+                                      settings.densest_in_sparse_regions * point_density);
+      density[i] = (std::min)(factor * density[i], limit);
     });
   }
 

@@ -56,7 +56,8 @@ Distinct_samples simplify_adaptively(Cloud cloud, std::unique_ptr<Neighbor_searc
 
   const std::size_t number_of_samples = parameters.number_of_output_points;
   if (number_of_samples >= cloud.size()) // all points, and duplicates
-    return distinct_samples<ConcurrencyTag>(cloud, select_points<ConcurrencyTag>(cloud, features, parameters));
+    return distinct_samples<ConcurrencyTag>(
+        cloud, select_points<ConcurrencyTag>(cloud, features, parameters));
 
   cloud.input_index = std::vector<std::size_t>(); // where points come from is not asked any more
   cloud.duplicates = std::vector<Duplicate>();

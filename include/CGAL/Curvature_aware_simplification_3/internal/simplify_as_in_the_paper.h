@@ -35,8 +35,8 @@ Distinct_samples simplify_as_in_the_paper(const Cloud& cloud, const Neighbor_sea
   report.features_time = stopwatch.lap();
   report.maximum_surface_variation = largest_curvature<ConcurrencyTag>(features);
 
-  Distinct_samples samples =
-      distinct_samples<ConcurrencyTag>(cloud, select_points<ConcurrencyTag>(cloud, features, parameters));
+  Distinct_samples samples = distinct_samples<ConcurrencyTag>(
+      cloud, select_points<ConcurrencyTag>(cloud, features, parameters));
   report.selection_time = stopwatch.lap();
 
   const double spacing = sample_spacing<ConcurrencyTag>(samples.points);
