@@ -11,6 +11,7 @@ IDEAS = [
     ("uniform density", "adaptivity=0"),
     ("curvature in balls of half a spacing", "curvature_radius=0.5"),
     ("lower bound of the curvature 0.1 of the mean, not 0.5", "least_curvature=0.1"),
+    ("curvature not averaged along the surface", "ranges_of_mean_curvature=1"),
     ("at most one sample for two points in sparse regions", "densest_in_sparse_regions=0.5"),
     ("no relaxation", "iterations=0"),
     ("4 iterations", "iterations=4"),

@@ -1070,6 +1070,23 @@ TEST(Sampling_density, tends_to_uniform_with_alpha)
   EXPECT_NEAR(last, 1., 1e-9);
 }
 
+TEST(Sampling_density, takes_the_mean_over_the_nearest_ranges_by_area)
+{
+  // on a line, at distances that differ so that it is clear which are nearest: 0 up to x = 3, 8 from x = 4 on
+  const std::vector<Point> centers = {Point(0., 0., 0.), Point(1., 0., 0.),  Point(2.1, 0., 0.),
+                                      Point(3., 0., 0.), Point(4.1, 0., 0.), Point(5., 0., 0.)};
+  const std::vector<double> value = {0., 0., 0., 0., 8., 8.}, area = {1., 1., 1., 1., 3., 1.};
+  const auto mean = [&](double p, std::size_t number)
+  { return mean_over_ranges<Tag>(value, p, area, centers, number); };
+  EXPECT_EQ(mean(1., 1), value);
+  const std::vector<double> expected = {0., 0., 0., 8. * 3. / 5., 8. * 4. / 5., 8. * 4. / 5.};
+  const std::vector<double> found = mean(1., 3);
+  for (std::size_t i = 0; i < expected.size(); ++i)
+    EXPECT_NEAR(found[i], expected[i], 1e-12) << i;
+  for (double x : mean(2. / 3., 100)) // all of them: half of the area
+    EXPECT_NEAR(x, 8. * std::pow(0.5, 1.5), 1e-12);
+}
+
 // Two halves of a plane, one with 10 times as many points. The density is even, as long as samples are no more
 // than 0.85 times as dense as the points of the sparse half, of which there are 4000.
 TEST(Sampling_density, is_even_where_samples_are_nearly_as_dense_as_points)
@@ -1230,10 +1247,8 @@ TEST(Sampling_density, of_a_noisy_plane_is_even)
   const double sigma = 0.003;
   const Cloud cloud = make_cloud<Tag>(with_noise(surfaces::square(40000, 21), sigma, 22), 1e-16);
   const Sampling_density wanted = density_of(cloud, 2000, 2. / 3., sigma);
-  std::vector<double> sorted = wanted.density;
-  std::sort(sorted.begin(), sorted.end());
-  const double low = sorted[sorted.size() / 20], high = sorted[sorted.size() * 19 / 20];
-  EXPECT_LT(high / low, 2.5);
+  const auto range = std::minmax_element(wanted.density.begin(), wanted.density.end());
+  EXPECT_LT(*range.second / *range.first, 1.5);
 }
 
 std::vector<std::size_t> selected_along_curve(const std::vector<double>& weight, std::size_t number,
@@ -1678,6 +1693,31 @@ TEST(Adaptive, spreads_evenly_whatever_the_density_of_the_input)
                             { largest_gap = std::max(largest_gap, std::sqrt(squared_distance)); });
   // the spacing of a hexagonal lattice, whose gaps are 0.58 of it
   EXPECT_LT(largest_gap, 1.3 * std::sqrt(4. * CGAL_PI / 2000. * 2. / std::sqrt(3.)));
+}
+
+TEST(Adaptive, spreads_evenly_on_a_noisy_plane)
+{
+  const double spacing = std::sqrt(2. / std::sqrt(3.) / 2000.);
+  for (double sigma : {0., 0.001, 0.003, 0.01}) // up to 0.4 spacings of the output
+  {
+    const std::vector<Point> output = simplified(with_noise(surfaces::square(40000, 21), sigma, 22),
+                                                 np::number_of_output_points(2000));
+    const Neighbor_search search(output, Tag());
+    std::vector<double> distances; // to the six neighbors in a lattice, away from the border
+    for (const Point& p : output)
+      if (std::min({p.x(), p.y(), 1. - p.x(), 1. - p.y()}) > 3. * spacing)
+      {
+        double sum = 0.;
+        search.for_each_nearest(p, 7,
+                                [&](std::size_t, const Point&, double squared_distance)
+                                { sum += std::sqrt(squared_distance); });
+        distances.push_back(sum / 6.);
+      }
+    std::sort(distances.begin(), distances.end());
+    const double low = distances[distances.size() / 20],
+                 high = distances[distances.size() * 19 / 20];
+    EXPECT_LT(high / low, 1.3) << sigma;
+  }
 }
 
 TEST(Adaptive, places_no_sample_in_a_gap)

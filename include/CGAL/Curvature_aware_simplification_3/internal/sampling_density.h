@@ -12,6 +12,7 @@
 #include <CGAL/Curvature_aware_simplification_3/internal/Noise_levels.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Progress.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/loops.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/mean_over_ranges.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/surface_pieces.h>
 
 #include <CGAL/number_type_config.h>
@@ -61,7 +62,8 @@ double area_of_surface(const std::vector<double>& inverse_density)
 //
 // What counts is the deviation from a plane at the distance of the samples. It is measured in balls
 // with a radius R of 1.5 spacings: the curvature is sqrt(lambda_0) / R^2 up to a constant. From
-// lambda_0, sigma^2 is taken off for the noise. Balls are no smaller than 3 sigma.
+// lambda_0, sigma^2 is taken off for the noise, but not below what noise may hide. Balls are no smaller
+// than 3 sigma.
 template <typename ConcurrencyTag>
 Sampling_density sampling_density(const std::vector<Point>& points,
                                   const std::vector<double>& inverse_density,
@@ -77,9 +79,9 @@ Sampling_density sampling_density(const std::vector<Point>& points,
   // their plane is more than chance; where it is dense, no more than 64, which say as much as all. With
   // half or twice as many pieces or points, the mean error of what is made of it is the same to 1 %.
   constexpr double fewest_pieces = 4., most_pieces = 64., fewest_points = 17.;
-  // Of the mean that bounds the curvature from below: a few large values do not decide it. It is that of the
-  // default alpha, and not alpha itself, for which the bound would vanish with alpha: then flat parts
-  // would get less of a density that is nearly uniform.
+  // Of means of the curvature: a few large values do not decide them. It is that of the default alpha, and
+  // not alpha itself, for which the bound from below would vanish with alpha: then flat parts would get
+  // less of a density that is nearly uniform.
   constexpr double order_of_mean = 2. / 3.;
 
   const std::size_t n = points.size();
@@ -95,6 +97,7 @@ Sampling_density sampling_density(const std::vector<Point>& points,
       surface_pieces<ConcurrencyTag>(points, inverse_density, pieces_in_range * ranges.number);
   const Neighbor_search piece_search(pieces.center, ConcurrencyTag());
 
+  std::vector<Point> centers(ranges.number);
   std::vector<double> curvature(ranges.number), area(ranges.number), range_area(ranges.number),
       density(ranges.number), weight(ranges.number);
   for_each_index<ConcurrencyTag>(ranges.number, progress,
@@ -106,6 +109,7 @@ Sampling_density sampling_density(const std::vector<Point>& points,
     const double points_in_piece =
         static_cast<double>(ranges.size(i)) / static_cast<double>(pieces_in_range);
     const std::size_t middle = ranges.first_point(i) + ranges.size(i) / 2;
+    centers[i] = points[middle];
     const double sigma = noise.at(middle).level;
     const double radius = (std::max)(settings.curvature_radius * spacing, 3. * sigma);
     const double wanted = (std::max)({CGAL_PI * radius * radius * pieces_per_area, fewest_pieces,
@@ -113,13 +117,15 @@ Sampling_density sampling_density(const std::vector<Point>& points,
     const std::size_t k =
         (std::min)(static_cast<std::size_t>((std::min)(wanted, most_pieces)), pieces.center.size());
     const Deviation deviation =
-        deviation_from_plane(pieces, piece_search, points[middle], k, coordinate_error);
-    // beyond the noise, and two standard deviations of what the points say of it, so that noise alone is
-    // taken for flat
-    const double signal =
-        deviation.squared_height - sigma * sigma * (1. + 2. * std::sqrt(2. / deviation.number));
+        deviation_from_plane(pieces, piece_search, centers[i], k, coordinate_error);
+    // What noise may hide counts as if it were there, two standard deviations of what the points say of the
+    // height beyond it. With nothing instead, the few places of a noisy plane that look bent by chance were
+    // the only ones that are, and got half of all samples.
+    const double variance = sigma * sigma;
+    const double hidden = 2. * variance * std::sqrt(2. / deviation.number);
+    const double height = std::sqrt((std::max)(deviation.squared_height - variance, hidden));
     // sqrt(lambda_0) / r^2 up to a constant
-    curvature[i] = deviation.trace > 0. ? std::sqrt((std::max)(signal, 0.)) / deviation.trace : 0.;
+    curvature[i] = deviation.trace > 0. ? height / deviation.trace : 0.;
     // On a border, samples stand for half a cell: the area counts twice, as that of the ball does, on
     // one side of which there are no points. The mean of half a disk is 4 r / 3 pi off its center.
     const double one_sided = deviation.trace > 0. ? (9. * CGAL_PI * CGAL_PI / 32. - 1.) *
@@ -127,6 +133,10 @@ Sampling_density sampling_density(const std::vector<Point>& points,
                                                   : 0.;
     area[i] = (1. + one_sided) * deviation.area / deviation.number;
   });
+
+  // Reconstruction wants spacings that vary slowly, and where they change at once, the relaxation takes long.
+  curvature = mean_over_ranges<ConcurrencyTag>(curvature, order_of_mean, range_area, centers,
+                                               settings.ranges_of_mean_curvature);
 
   // bounded from below by a part of the mean
   const double mean_power =
