@@ -1716,7 +1716,7 @@ TEST(Adaptive, spreads_evenly_on_a_noisy_plane)
     std::sort(distances.begin(), distances.end());
     const double low = distances[distances.size() / 20],
                  high = distances[distances.size() * 19 / 20];
-    EXPECT_LT(high / low, 1.3) << sigma;
+    EXPECT_LT(high / low, 1.4) << sigma; // 1.6 if chance decides where the plane is bent
   }
 }
 

@@ -62,8 +62,7 @@ double area_of_surface(const std::vector<double>& inverse_density)
 //
 // What counts is the deviation from a plane at the distance of the samples. It is measured in balls
 // with a radius R of 1.5 spacings: the curvature is sqrt(lambda_0) / R^2 up to a constant. From
-// lambda_0, sigma^2 is taken off for the noise, but not below what noise may hide. Balls are no smaller
-// than 3 sigma.
+// lambda_0, sigma^2 is taken off for the noise. Balls are no smaller than 3 sigma.
 template <typename ConcurrencyTag>
 Sampling_density sampling_density(const std::vector<Point>& points,
                                   const std::vector<double>& inverse_density,
@@ -98,8 +97,8 @@ Sampling_density sampling_density(const std::vector<Point>& points,
   const Neighbor_search piece_search(pieces.center, ConcurrencyTag());
 
   std::vector<Point> centers(ranges.number);
-  std::vector<double> curvature(ranges.number), area(ranges.number), range_area(ranges.number),
-      density(ranges.number), weight(ranges.number);
+  std::vector<double> curvature(ranges.number), possible_curvature(ranges.number),
+      area(ranges.number), range_area(ranges.number), density(ranges.number), weight(ranges.number);
   for_each_index<ConcurrencyTag>(ranges.number, progress,
                                  [&](std::size_t i)
                                  {
@@ -118,14 +117,17 @@ Sampling_density sampling_density(const std::vector<Point>& points,
         (std::min)(static_cast<std::size_t>((std::min)(wanted, most_pieces)), pieces.center.size());
     const Deviation deviation =
         deviation_from_plane(pieces, piece_search, centers[i], k, coordinate_error);
-    // What noise may hide counts as if it were there, two standard deviations of what the points say of the
-    // height beyond it. With nothing instead, the few places of a noisy plane that look bent by chance were
-    // the only ones that are, and got half of all samples.
+    // Beyond the noise, and two standard deviations of what the points say of it, so that noise alone is taken
+    // for flat. But it may hide so much.
     const double variance = sigma * sigma;
+    const double signal = deviation.squared_height - variance;
     const double hidden = 2. * variance * std::sqrt(2. / deviation.number);
-    const double height = std::sqrt((std::max)(deviation.squared_height - variance, hidden));
     // sqrt(lambda_0) / r^2 up to a constant
-    curvature[i] = deviation.trace > 0. ? height / deviation.trace : 0.;
+    if (deviation.trace > 0.)
+    {
+      curvature[i] = std::sqrt((std::max)(signal - hidden, 0.)) / deviation.trace;
+      possible_curvature[i] = std::sqrt((std::max)(signal, hidden)) / deviation.trace;
+    }
     // On a border, samples stand for half a cell: the area counts twice, as that of the ball does, on
     // one side of which there are no points. The mean of half a disk is 4 r / 3 pi off its center.
     const double one_sided = deviation.trace > 0. ? (9. * CGAL_PI * CGAL_PI / 32. - 1.) *
@@ -138,12 +140,14 @@ Sampling_density sampling_density(const std::vector<Point>& points,
   curvature = mean_over_ranges<ConcurrencyTag>(curvature, order_of_mean, range_area, centers,
                                                settings.ranges_of_mean_curvature);
 
-  // bounded from below by a part of the mean
-  const double mean_power =
-      reduce_indices<ConcurrencyTag>(
-          ranges.number, 0.,
-          [&](std::size_t i) { return range_area[i] * std::pow(curvature[i], order_of_mean); },
-          std::plus<double>()) /
+  // Bounded from below by a part of the mean, with what noise may hide. Without that, the few places of a
+  // noisy plane that look bent by chance are the only ones that are, and get half of all samples.
+  const double mean_power = reduce_indices<ConcurrencyTag>(
+                                ranges.number, 0.,
+                                [&](std::size_t i) {
+    return range_area[i] * std::pow(possible_curvature[i], order_of_mean);
+                                },
+                                std::plus<double>()) /
       total_area;
   const double least =
       mean_power > 0. ? settings.least_curvature * std::pow(mean_power, 1. / order_of_mean) : 1.;
