@@ -13,6 +13,7 @@
 #include <CGAL/Curvature_aware_simplification_3/internal/Progress.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/loops.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/mean_over_ranges.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/scale_to_number.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/surface_pieces.h>
 
 #include <CGAL/number_type_config.h>
@@ -70,9 +71,6 @@ Sampling_density sampling_density(const std::vector<Point>& points,
                                   const Noise_levels& noise, double coordinate_error,
                                   const Adaptive_settings& settings, const Progress& progress)
 {
-  // Not more than one sample for two input points, unless a uniform density asks for more: a denser one
-  // could show no more than the points do.
-  constexpr double densest = 0.5;
   // Pieces are small against the balls, about 16 in each. Where the input is sparse, balls hold no fewer
   // than 4, which is one piece to each side, and no fewer points than about 17, so that the height over
   // their plane is more than chance; where it is dense, no more than 64, which say as much as all. With
@@ -155,33 +153,10 @@ Sampling_density sampling_density(const std::vector<Point>& points,
                                  [&](std::size_t i) {
     density[i] = std::pow(curvature[i] * curvature[i] + least * least, alpha / 2.);
   });
-  const auto total = [&]
-  {
-    return reduce_indices<ConcurrencyTag>(
-        ranges.number, 0., [&](std::size_t i) { return density[i] * range_area[i]; },
-        std::plus<double>());
-  };
-  // What the bound takes away goes to all others; a second and third round settle it.
-  for (int round = 0; round < 3; ++round)
-  {
-    const double factor = number / total();
-    for_each_index<ConcurrencyTag>(0, ranges.number,
-                                   [&](std::size_t i)
-                                   {
-      const double point_density = static_cast<double>(ranges.size(i)) / range_area[i];
-      const double limit = std::clamp(number / total_area, densest * point_density,
-                                      settings.densest_in_sparse_regions * point_density);
-      density[i] = (std::min)(factor * density[i], limit);
-    });
-  }
-
-  const double factor = number / total();
+  scale_to_number<ConcurrencyTag>(density, number, ranges, range_area, total_area,
+                                  settings.densest_in_sparse_regions);
   for_each_index<ConcurrencyTag>(0, ranges.number,
-                                 [&](std::size_t i)
-                                 {
-    density[i] *= factor;
-    weight[i] = density[i] * area[i];
-  });
+                                 [&](std::size_t i) { weight[i] = density[i] * area[i]; });
   return {ranges, std::move(density), std::move(weight)};
 }
 
