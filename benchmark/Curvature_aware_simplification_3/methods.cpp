@@ -219,7 +219,7 @@ Setting with_parameters(const std::string& parameters)
   set("noise_around_planes", settings.noise_around_planes);
   set("curvature_radius", settings.curvature_radius);
   set("least_curvature", settings.least_curvature);
-  set("ranges_of_mean_curvature", settings.ranges_of_mean_curvature);
+  set("average_curvature", settings.average_curvature);
   set("densest_in_sparse_regions", settings.densest_in_sparse_regions);
   set("reach_of_repulsion", settings.reach_of_repulsion);
   set("smooth_points", settings.smooth_points);

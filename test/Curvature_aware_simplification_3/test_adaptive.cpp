@@ -1070,21 +1070,35 @@ TEST(Sampling_density, tends_to_uniform_with_alpha)
   EXPECT_NEAR(last, 1., 1e-9);
 }
 
-TEST(Sampling_density, takes_the_mean_over_the_nearest_ranges_by_area)
+TEST(Sampling_density, takes_the_mean_over_the_ball_by_area)
 {
-  // on a line, at distances that differ so that it is clear which are nearest: 0 up to x = 3, 8 from x = 4 on
-  const std::vector<Point> centers = {Point(0., 0., 0.), Point(1., 0., 0.),  Point(2.1, 0., 0.),
-                                      Point(3., 0., 0.), Point(4.1, 0., 0.), Point(5., 0., 0.)};
-  const std::vector<double> value = {0., 0., 0., 0., 8., 8.}, area = {1., 1., 1., 1., 3., 1.};
+  // pieces on a line, at distances that differ so that it is clear which are nearest
+  const std::vector<Point> pieces = {Point(0., 0., 0.), Point(1., 0., 0.),  Point(2.1, 0., 0.),
+                                     Point(3., 0., 0.), Point(4.1, 0., 0.), Point(5., 0., 0.)};
+  const std::vector<double> area = {1., 1., 1., 1., 3., 1.};
+  const auto balls_of = [&](const std::vector<Point>& centers, std::size_t number)
+  {
+    return Surface_balls(centers, pieces, std::vector<std::size_t>(centers.size(), number),
+                         Progress(no_callback), Tag());
+  };
+  // one piece in each range: 0 up to x = 3, 8 from x = 4 on
+  const std::vector<double> value = {0., 0., 0., 0., 8., 8.};
   const auto mean = [&](double p, std::size_t number)
-  { return mean_over_ranges<Tag>(value, p, area, centers, number); };
+  { return mean_over_balls<Tag>(value, p, area, 1, balls_of(pieces, number)); };
   EXPECT_EQ(mean(1., 1), value);
   const std::vector<double> expected = {0., 0., 0., 8. * 3. / 5., 8. * 4. / 5., 8. * 4. / 5.};
   const std::vector<double> found = mean(1., 3);
   for (std::size_t i = 0; i < expected.size(); ++i)
     EXPECT_NEAR(found[i], expected[i], 1e-12) << i;
-  for (double x : mean(2. / 3., 100)) // all of them: half of the area
+  for (double x : mean(2. / 3., 6)) // all of them: half of the area
     EXPECT_NEAR(x, 8. * std::pow(0.5, 1.5), 1e-12);
+
+  // two pieces in each range: that at 3 is of the second one
+  const std::vector<double> found_of_pairs = mean_over_balls<Tag>(
+      {0., 5., 10.}, 1., area, 2, balls_of({pieces[0], pieces[2], pieces[4]}, 3));
+  EXPECT_NEAR(found_of_pairs[0], 5. * 1. / 3., 1e-12);         // 0, 1, 2.1
+  EXPECT_NEAR(found_of_pairs[1], 5. * 2. / 3., 1e-12);         // 1, 2.1, 3
+  EXPECT_NEAR(found_of_pairs[2], (5. + 4. * 10.) / 5., 1e-12); // 3, 4.1, 5
 }
 
 // Two halves of a plane, one with 10 times as many points. The density is even, as long as samples are no more
@@ -1171,9 +1185,9 @@ TEST(Surface_pieces, know_the_covariance_of_all_their_points)
   for (std::size_t number : {1u, 37u, 1000u})
   {
     const Surface_pieces pieces = surface_pieces<Tag>(points, inverse_density, number);
-    const Neighbor_search search(pieces.center, Tag());
     const Point x(0.1, 0.2, 0.3);
-    const Deviation found = deviation_from_plane(pieces, search, x, number, 0.);
+    const Surface_balls ball({x}, pieces.center, {number}, Progress(no_callback), Tag());
+    const Deviation found = deviation_from_plane(pieces, ball.of(0), x, 0.);
 
     Eigen::Vector3d mean = Eigen::Vector3d::Zero();
     for (const Point& p : points)

@@ -8,6 +8,7 @@
 
 #include <CGAL/Curvature_aware_simplification_3/internal/Frame.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Neighbor_search.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/Uninitialized_vector.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/box_of_most_points.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/equal_points.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/loops.h>
@@ -16,13 +17,10 @@
 #include <CGAL/Bbox_3.h>
 #include <CGAL/Hilbert_sort_median_3.h>
 
-#include <boost/core/noinit_adaptor.hpp>
-
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
-#include <memory>
 #include <utility>
 #include <vector>
 
@@ -119,9 +117,7 @@ Cloud make_cloud(std::vector<Point> coordinates, double relative_error)
   const std::vector<std::size_t> firsts =
       indices_where<ConcurrencyTag>(n, [&](std::size_t i) { return is_duplicate[i] == 0; });
   const std::size_t distinct = firsts.size();
-  // The first who writes to memory that is new to the process waits for it: the threads, and not this one.
-  using Element = Sort_traits::Point_3;
-  std::vector<Element, boost::noinit_adaptor<std::allocator<Element>>> sorted(distinct);
+  Uninitialized_vector<Sort_traits::Point_3> sorted(distinct);
   for_each_index<ConcurrencyTag>(0, distinct,
                                  [&](std::size_t i) {
     sorted[i] = {coordinates[firsts[i]], firsts[i]};

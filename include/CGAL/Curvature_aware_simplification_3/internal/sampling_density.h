@@ -8,11 +8,11 @@
 
 #include <CGAL/Curvature_aware_simplification_3/internal/Adaptive_settings.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Curve_ranges.h>
-#include <CGAL/Curvature_aware_simplification_3/internal/Neighbor_search.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Noise_levels.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Progress.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/Surface_balls.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/loops.h>
-#include <CGAL/Curvature_aware_simplification_3/internal/mean_over_ranges.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/mean_over_balls.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/scale_to_number.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/surface_pieces.h>
 
@@ -92,32 +92,39 @@ Sampling_density sampling_density(const std::vector<Point>& points,
   const std::size_t pieces_in_range = n / ranges.number < 4 ? 1 : 2;
   const Surface_pieces pieces =
       surface_pieces<ConcurrencyTag>(points, inverse_density, pieces_in_range * ranges.number);
-  const Neighbor_search piece_search(pieces.center, ConcurrencyTag());
 
   std::vector<Point> centers(ranges.number);
-  std::vector<double> curvature(ranges.number), possible_curvature(ranges.number),
-      area(ranges.number), range_area(ranges.number), density(ranges.number), weight(ranges.number);
-  for_each_index<ConcurrencyTag>(ranges.number, progress,
+  std::vector<double> sigma(ranges.number), range_area(ranges.number);
+  std::vector<std::size_t> pieces_in_ball(ranges.number);
+  for_each_index<ConcurrencyTag>(0, ranges.number,
                                  [&](std::size_t i)
                                  {
+    const std::size_t middle = ranges.first_point(i) + ranges.size(i) / 2;
+    centers[i] = points[middle];
+    sigma[i] = noise.at(middle).level;
     for (std::size_t piece = pieces_in_range * i; piece < pieces_in_range * (i + 1); ++piece)
       range_area[i] += pieces.area[piece];
     const double pieces_per_area = static_cast<double>(pieces_in_range) / range_area[i];
     const double points_in_piece =
         static_cast<double>(ranges.size(i)) / static_cast<double>(pieces_in_range);
-    const std::size_t middle = ranges.first_point(i) + ranges.size(i) / 2;
-    centers[i] = points[middle];
-    const double sigma = noise.at(middle).level;
-    const double radius = (std::max)(settings.curvature_radius * spacing, 3. * sigma);
+    const double radius = (std::max)(settings.curvature_radius * spacing, 3. * sigma[i]);
     const double wanted = (std::max)({CGAL_PI * radius * radius * pieces_per_area, fewest_pieces,
                                       fewest_points / points_in_piece});
-    const std::size_t k =
+    pieces_in_ball[i] =
         (std::min)(static_cast<std::size_t>((std::min)(wanted, most_pieces)), pieces.center.size());
+  });
+  const Surface_balls balls(centers, pieces.center, pieces_in_ball, progress, ConcurrencyTag());
+
+  std::vector<double> curvature(ranges.number), possible_curvature(ranges.number),
+      area(ranges.number), density(ranges.number), weight(ranges.number);
+  for_each_index<ConcurrencyTag>(0, ranges.number,
+                                 [&](std::size_t i)
+                                 {
     const Deviation deviation =
-        deviation_from_plane(pieces, piece_search, centers[i], k, coordinate_error);
+        deviation_from_plane(pieces, balls.of(i), centers[i], coordinate_error);
     // Beyond the noise, and two standard deviations of what the points say of it, so that noise alone is taken
     // for flat. But it may hide so much.
-    const double variance = sigma * sigma;
+    const double variance = sigma[i] * sigma[i];
     const double signal = deviation.squared_height - variance;
     const double hidden = 2. * variance * std::sqrt(2. / deviation.number);
     // sqrt(lambda_0) / r^2 up to a constant
@@ -135,8 +142,9 @@ Sampling_density sampling_density(const std::vector<Point>& points,
   });
 
   // Reconstruction wants spacings that vary slowly, and where they change at once, the relaxation takes long.
-  curvature = mean_over_ranges<ConcurrencyTag>(curvature, order_of_mean, range_area, centers,
-                                               settings.ranges_of_mean_curvature);
+  if (settings.average_curvature)
+    curvature = mean_over_balls<ConcurrencyTag>(curvature, order_of_mean, pieces.area,
+                                                pieces_in_range, balls);
 
   // Bounded from below by a part of the mean, with what noise may hide. Without that, the few places of a
   // noisy plane that look bent by chance are the only ones that are, and get half of all samples.

@@ -86,27 +86,26 @@ struct Deviation
   double area;           // of the surface that they stand for
 };
 
-// Of the nearest pieces together: with w points around c in each piece, the covariance around the mean m is
+// Of the pieces in a ball together: with w points around c in each piece, the covariance around the mean m is
 // sum (scatter + w (c - m) (c - m)^T) / sum w. A height below the rounding error of the coordinates,
 // `coordinate_error`, is 0: a plane has no curvature. So the solver is the iterative one; the closed
-// formula is off by the root of the precision for points on a line. `search` finds the centers.
-inline Deviation deviation_from_plane(const Surface_pieces& pieces, const Neighbor_search& search,
-                                      const Point& x, std::size_t number_of_pieces,
-                                      double coordinate_error)
+// formula is off by the root of the precision for points on a line.
+template <typename Ball>
+Deviation deviation_from_plane(const Surface_pieces& pieces, const Ball& ball, const Point& x,
+                               double coordinate_error)
 {
   double number = 0., area = 0.;
   Eigen::Vector3d mean = Eigen::Vector3d::Zero();
   Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
-  search.for_each_nearest(x, number_of_pieces,
-                          [&](std::size_t i, const Point& center, double)
-                          {
-    const Eigen::Vector3d d = eigen_vector(center - x);
+  for (std::size_t i : ball)
+  {
+    const Eigen::Vector3d d = eigen_vector(pieces.center[i] - x);
     const Eigen::Vector3d weighted = pieces.number[i] * d;
     number += pieces.number[i];
     area += pieces.area[i];
     mean += weighted;
     covariance += pieces.scatter[i] + weighted * d.transpose();
-  });
+  }
   mean /= number;
   covariance = covariance / number - mean * mean.transpose();
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(covariance, Eigen::EigenvaluesOnly);
