@@ -27,10 +27,16 @@ template <typename ConcurrencyTag, typename Kernel>
 void for_each_index(std::size_t begin, std::size_t end, const Kernel& kernel)
 {
   using Iterator = boost::counting_iterator<std::size_t>;
-  CGAL::for_each<ConcurrencyTag>(CGAL::make_range(Iterator(begin), Iterator(end)),
-                                 [&](const std::size_t& i) -> bool
+  // Some indices at a time: CGAL::for_each calls what it is given through a std::function, which takes as long
+  // as a short kernel. A thousand steps are enough for many threads to share.
+  const std::size_t size = end - begin;
+  const std::size_t step = (std::min)(size / 1024 + 1, std::size_t(64));
+  CGAL::for_each<ConcurrencyTag>(CGAL::make_range(Iterator(0), Iterator((size + step - 1) / step)),
+                                 [&](const std::size_t& block) -> bool
                                  {
-    kernel(i);
+    const std::size_t last = (std::min)(end, begin + (block + 1) * step);
+    for (std::size_t i = begin + block * step; i < last; ++i)
+      kernel(i);
     return true;
   });
 }
