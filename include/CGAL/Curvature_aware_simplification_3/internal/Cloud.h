@@ -91,6 +91,30 @@ struct Sort_traits
   Less_z_3 less_z_3_object() const { return Less_z_3(); }
 };
 
+// Without the duplicates, in the order of the input
+template <typename ConcurrencyTag>
+Uninitialized_vector<Sort_traits::Point_3> distinct_points(const std::vector<Point>& points,
+                                                           const std::vector<Duplicate>& duplicates)
+{
+  const std::size_t n = points.size();
+  Uninitialized_vector<Sort_traits::Point_3> distinct(n - duplicates.size());
+  if (duplicates.empty())
+  {
+    for_each_index<ConcurrencyTag>(0, n, [&](std::size_t i) { distinct[i] = {points[i], i}; });
+    return distinct;
+  }
+  std::vector<std::uint8_t> is_duplicate(n);
+  for_each_index<ConcurrencyTag>(0, duplicates.size(),
+                                 [&](std::size_t d) { is_duplicate[duplicates[d].index] = 1; });
+  const std::vector<std::size_t> firsts =
+      indices_where<ConcurrencyTag>(n, [&](std::size_t i) { return is_duplicate[i] == 0; });
+  for_each_index<ConcurrencyTag>(0, distinct.size(),
+                                 [&](std::size_t i) {
+    distinct[i] = {points[firsts[i]], firsts[i]};
+  });
+  return distinct;
+}
+
 // Merges duplicates and sorts along a Hilbert curve. There is at least one point; coordinates are
 // exact up to `relative_error` times the largest of them, a few far points aside. O(n log n)
 template <typename ConcurrencyTag>
@@ -111,24 +135,15 @@ Cloud make_cloud(std::vector<Point> coordinates, double relative_error)
   });
 
   std::vector<Duplicate> duplicates = find_duplicates<ConcurrencyTag>(coordinates);
-  std::vector<std::uint8_t> is_duplicate(n);
-  for_each_index<ConcurrencyTag>(0, duplicates.size(),
-                                 [&](std::size_t d) { is_duplicate[duplicates[d].index] = 1; });
-  const std::vector<std::size_t> firsts =
-      indices_where<ConcurrencyTag>(n, [&](std::size_t i) { return is_duplicate[i] == 0; });
-  const std::size_t distinct = firsts.size();
-  Uninitialized_vector<Sort_traits::Point_3> sorted(distinct);
-  for_each_index<ConcurrencyTag>(0, distinct,
-                                 [&](std::size_t i) {
-    sorted[i] = {coordinates[firsts[i]], firsts[i]};
-  });
+  Uninitialized_vector<Sort_traits::Point_3> sorted =
+      distinct_points<ConcurrencyTag>(coordinates, duplicates);
   coordinates = std::vector<Point>();
   // what CGAL::hilbert_sort() calls after it has shuffled the points, on one thread
   Hilbert_sort_median_3<Sort_traits, ConcurrencyTag>{Sort_traits()}(sorted.begin(), sorted.end());
 
-  std::vector<Point> points(distinct);
-  std::vector<std::size_t> input_index(distinct);
-  for_each_index<ConcurrencyTag>(0, distinct,
+  std::vector<Point> points(sorted.size());
+  std::vector<std::size_t> input_index(sorted.size());
+  for_each_index<ConcurrencyTag>(0, sorted.size(),
                                  [&](std::size_t i)
                                  {
     points[i] = sorted[i].point;
