@@ -290,6 +290,7 @@ TEST(Sample_neighbors, agree_with_brute_force)
       const std::vector<Point> points = patch(n, 12, [](double x, double) { return x; });
       Sample_neighbors neighbors;
       neighbors.search(points, wanted, Tag());
+      neighbors.sort(points, Tag());
       for (std::size_t i = 0; i < n; ++i)
       {
         std::vector<std::pair<double, std::size_t>> expected;
@@ -312,6 +313,18 @@ TEST(Sample_neighbors, agree_with_brute_force)
   for (std::size_t i = 0; i < equal.size(); ++i)
     for (std::size_t j : neighbors.of(i))
       EXPECT_NE(i, j);
+}
+
+TEST(Sample_neighbors, are_sorted_by_the_distances_that_they_have_then)
+{
+  std::vector<Point> points = {Point(0., 0., 0.), Point(1., 0., 0.), Point(2., 0., 0.),
+                               Point(9., 0., 0.)};
+  Sample_neighbors neighbors;
+  neighbors.search(points, 2, Tag());
+  points[1] = Point(3., 0., 0.);
+  neighbors.sort(points, Tag());
+  const auto found = neighbors.of(0);
+  EXPECT_EQ(std::vector<std::size_t>(found.begin(), found.end()), (std::vector<std::size_t>{2, 1}));
 }
 
 TEST(Repulsion, is_the_weighted_mean_of_the_directions_away)
@@ -1073,9 +1086,11 @@ TEST(Sampling_density, tends_to_uniform_with_alpha)
 TEST(Sampling_density, takes_the_mean_over_the_ball_by_area)
 {
   // pieces on a line, at distances that differ so that it is clear which are nearest
-  const std::vector<Point> pieces = {Point(0., 0., 0.), Point(1., 0., 0.),  Point(2.1, 0., 0.),
+  const std::vector<Point> places = {Point(0., 0., 0.), Point(1., 0., 0.),  Point(2.1, 0., 0.),
                                      Point(3., 0., 0.), Point(4.1, 0., 0.), Point(5., 0., 0.)};
-  const std::vector<double> area = {1., 1., 1., 1., 3., 1.};
+  std::vector<Surface_piece> pieces;
+  for (const Point& p : places)
+    pieces.push_back({p, {}, 1., p.x() == 4.1 ? 3. : 1.}); // the area is the last
   const auto balls_of = [&](const std::vector<Point>& centers, std::size_t number)
   {
     return Surface_balls(centers, pieces, std::vector<std::size_t>(centers.size(), number),
@@ -1084,7 +1099,7 @@ TEST(Sampling_density, takes_the_mean_over_the_ball_by_area)
   // one piece in each range: 0 up to x = 3, 8 from x = 4 on
   const std::vector<double> value = {0., 0., 0., 0., 8., 8.};
   const auto mean = [&](double p, std::size_t number)
-  { return mean_over_balls<Tag>(value, p, area, 1, balls_of(pieces, number)); };
+  { return mean_over_balls<Tag>(value, p, pieces, 1, balls_of(places, number)); };
   EXPECT_EQ(mean(1., 1), value);
   const std::vector<double> expected = {0., 0., 0., 8. * 3. / 5., 8. * 4. / 5., 8. * 4. / 5.};
   const std::vector<double> found = mean(1., 3);
@@ -1093,12 +1108,12 @@ TEST(Sampling_density, takes_the_mean_over_the_ball_by_area)
   for (double x : mean(2. / 3., 6)) // all of them: half of the area
     EXPECT_NEAR(x, 8. * std::pow(0.5, 1.5), 1e-12);
 
-  // two pieces in each range: that at 3 is of the second one
-  const std::vector<double> found_of_pairs = mean_over_balls<Tag>(
-      {0., 5., 10.}, 1., area, 2, balls_of({pieces[0], pieces[2], pieces[4]}, 3));
-  EXPECT_NEAR(found_of_pairs[0], 5. * 1. / 3., 1e-12);         // 0, 1, 2.1
-  EXPECT_NEAR(found_of_pairs[1], 5. * 2. / 3., 1e-12);         // 1, 2.1, 3
-  EXPECT_NEAR(found_of_pairs[2], (5. + 4. * 10.) / 5., 1e-12); // 3, 4.1, 5
+  // two pieces in each range
+  const std::vector<double> of_pairs = mean_over_balls<Tag>(
+      {0., 5., 10.}, 1., pieces, 2, balls_of({places[0], places[2], places[4]}, 3));
+  EXPECT_NEAR(of_pairs[0], 5. / 3., 1e-12);                    // 0, 1, 2.1
+  EXPECT_NEAR(of_pairs[1], 2. * 5. / 3., 1e-12);               // 1, 2.1, 3
+  EXPECT_NEAR(of_pairs[2], (5. + 3. * 10. + 10.) / 5., 1e-12); // 3, 4.1, 5
 }
 
 // Two halves of a plane, one with 10 times as many points. The density is even, as long as samples are no more
@@ -1184,17 +1199,19 @@ TEST(Surface_pieces, know_the_covariance_of_all_their_points)
     inverse_density[i] = 0.01 * static_cast<double>(i % 7);
   for (std::size_t number : {1u, 37u, 1000u})
   {
-    const Surface_pieces pieces = surface_pieces<Tag>(points, inverse_density, number);
+    const std::vector<Surface_piece> pieces = surface_pieces<Tag>(points, inverse_density, number);
     const Point x(0.1, 0.2, 0.3);
-    const Surface_balls ball({x}, pieces.center, {number}, Progress(no_callback), Tag());
+    const Surface_balls ball({x}, pieces, {number}, Progress(no_callback), Tag());
     const Deviation found = deviation_from_plane(pieces, ball.of(0), x, 0.);
 
+    const auto offset = [&](const Point& p)
+    { return Eigen::Vector3d(p.x() - x.x(), p.y() - x.y(), p.z() - x.z()); };
     Eigen::Vector3d mean = Eigen::Vector3d::Zero();
     for (const Point& p : points)
-      mean += eigen_vector(p - x) / 1000.;
+      mean += offset(p) / 1000.;
     Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
     for (const Point& p : points)
-      covariance += (eigen_vector(p - x) - mean) * (eigen_vector(p - x) - mean).transpose() / 1000.;
+      covariance += (offset(p) - mean) * (offset(p) - mean).transpose() / 1000.;
     const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(covariance);
     EXPECT_NEAR(found.squared_height / solver.eigenvalues()(0), 1., 1e-12) << number;
     EXPECT_NEAR(found.trace / covariance.trace(), 1., 1e-12) << number;

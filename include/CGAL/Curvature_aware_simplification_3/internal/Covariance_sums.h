@@ -37,6 +37,8 @@ struct Covariance_sums
     zz += wz * v.z();
   }
 
+  Vector mean() const { return Vector(x / weight, y / weight, z / weight); }
+
   // the entries xx, xy, xz, yy, yz, zz, in the order of CGAL's diagonalization
   std::array<double, 6> covariance() const
   {

@@ -21,9 +21,8 @@ namespace CGAL {
 namespace Curvature_aware_simplification_3 {
 namespace internal {
 
-// The nearest other samples of each sample, in increasing distance. They are kept while samples move
-// little, as in the neighbor lists of molecular dynamics: to search anew in each iteration would take
-// most of its time.
+// The nearest other samples of each sample. They are kept while samples move little, as in the neighbor lists
+// of molecular dynamics: to search anew in each iteration would take most of its time.
 class Sample_neighbors
 {
 public:
@@ -51,10 +50,32 @@ public:
         if (j != i)
           found[number_found++] = {squared_distance, j};
       });
-      // where more than that many coincide, the sample may not be among its nearest
-      std::sort(found.begin(), found.begin() + static_cast<std::ptrdiff_t>(number_found));
+      // where more than that many coincide, the sample may not be among its nearest: one is too many
+      if (number_found > m_number)
+        std::swap(*std::max_element(found.begin(),
+                                    found.begin() + static_cast<std::ptrdiff_t>(number_found)),
+                  found[m_number]);
       for (std::size_t m = 0; m < m_number; ++m)
         m_indices[i * m_number + m] = found[m].second;
+    });
+  }
+
+  // Puts the neighbors of each sample in the order of their distances.
+  template <typename ConcurrencyTag>
+  void sort(const std::vector<Point>& samples, const ConcurrencyTag&)
+  {
+    for_each_index<ConcurrencyTag>(0, samples.size(),
+                                   [&](std::size_t i)
+                                   {
+      std::array<Neighbor, most> neighbors;
+      for (std::size_t m = 0; m < m_number; ++m)
+      {
+        const std::size_t j = m_indices[i * m_number + m];
+        neighbors[m] = {squared_distance(samples[i], samples[j]), j};
+      }
+      std::sort(neighbors.begin(), neighbors.begin() + static_cast<std::ptrdiff_t>(m_number));
+      for (std::size_t m = 0; m < m_number; ++m)
+        m_indices[i * m_number + m] = neighbors[m].second;
     });
   }
 

@@ -10,6 +10,7 @@
 #include <CGAL/Curvature_aware_simplification_3/internal/Progress.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Uninitialized_vector.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/loops.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/surface_pieces.h>
 
 #include <CGAL/Iterator_range.h>
 
@@ -27,7 +28,7 @@ class Surface_balls
 public:
   // O(n log n + sum of the numbers wanted, times log n), with n centers of pieces
   template <typename ConcurrencyTag>
-  Surface_balls(const std::vector<Point>& centers, const std::vector<Point>& pieces,
+  Surface_balls(const std::vector<Point>& centers, const std::vector<Surface_piece>& pieces,
                 const std::vector<std::size_t>& number_wanted, const Progress& progress,
                 const ConcurrencyTag& tag)
     : m_first(centers.size() + 1, 0)
@@ -35,7 +36,10 @@ public:
     for (std::size_t i = 0; i < centers.size(); ++i)
       m_first[i + 1] = m_first[i] + number_wanted[i];
     m_pieces.resize(m_first.back());
-    const Neighbor_search search(pieces, tag);
+    std::vector<Point> places(pieces.size());
+    for_each_index<ConcurrencyTag>(0, pieces.size(),
+                                   [&](std::size_t j) { places[j] = pieces[j].center; });
+    const Neighbor_search search(places, tag);
     for_each_index<ConcurrencyTag>(centers.size(), progress,
                                    [&](std::size_t i)
                                    {

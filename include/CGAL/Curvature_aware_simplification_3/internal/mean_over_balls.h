@@ -8,6 +8,7 @@
 
 #include <CGAL/Curvature_aware_simplification_3/internal/Surface_balls.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/loops.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/surface_pieces.h>
 
 #include <cmath>
 #include <cstddef>
@@ -22,7 +23,7 @@ namespace internal {
 // surface becomes a slope.
 template <typename ConcurrencyTag>
 std::vector<double> mean_over_balls(const std::vector<double>& value, double p,
-                                    const std::vector<double>& area_of_piece,
+                                    const std::vector<Surface_piece>& pieces,
                                     std::size_t pieces_in_range, const Surface_balls& balls)
 {
   const std::size_t n = value.size();
@@ -32,10 +33,10 @@ std::vector<double> mean_over_balls(const std::vector<double>& value, double p,
                                  [&](std::size_t i)
                                  {
     double sum = 0., area = 0.;
-    for (std::size_t piece : balls.of(i))
+    for (std::size_t j : balls.of(i))
     {
-      sum += area_of_piece[piece] * power[piece / pieces_in_range];
-      area += area_of_piece[piece];
+      sum += pieces[j].area * power[j / pieces_in_range];
+      area += pieces[j].area;
     }
     mean[i] = area > 0. ? std::pow(sum / area, 1. / p) : value[i];
   });

@@ -96,7 +96,7 @@ inline double length_of_steps(double first, std::size_t iteration, std::size_t n
 }
 
 // Iterations of eq. 8 until the samples rest, at most `number_of_iterations`. Returns the neighbors
-// that they ended with.
+// that they ended with, in the order of their distances.
 template <typename ConcurrencyTag>
 Sample_neighbors relax_on_surface(std::vector<Surface_sample>& samples, const Surface_fit& fit,
                                   std::size_t number_of_iterations, double repulsion_weight,
@@ -161,6 +161,7 @@ Sample_neighbors relax_on_surface(std::vector<Surface_sample>& samples, const Su
       break;
     moved_since_search += mean_move;
   }
+  neighbors.sort(points, ConcurrencyTag());
   return neighbors;
 }
 

@@ -90,7 +90,7 @@ Sampling_density sampling_density(const std::vector<Point>& points,
   // is two pieces, unless these would be of fewer than two points, which saves nothing.
   const Curve_ranges ranges{(std::min)(n, number_of_samples), n};
   const std::size_t pieces_in_range = n / ranges.number < 4 ? 1 : 2;
-  const Surface_pieces pieces =
+  const std::vector<Surface_piece> pieces =
       surface_pieces<ConcurrencyTag>(points, inverse_density, pieces_in_range * ranges.number);
 
   std::vector<Point> centers(ranges.number);
@@ -103,7 +103,7 @@ Sampling_density sampling_density(const std::vector<Point>& points,
     centers[i] = points[middle];
     sigma[i] = noise.at(middle).level;
     for (std::size_t piece = pieces_in_range * i; piece < pieces_in_range * (i + 1); ++piece)
-      range_area[i] += pieces.area[piece];
+      range_area[i] += pieces[piece].area;
     const double pieces_per_area = static_cast<double>(pieces_in_range) / range_area[i];
     const double points_in_piece =
         static_cast<double>(ranges.size(i)) / static_cast<double>(pieces_in_range);
@@ -111,9 +111,9 @@ Sampling_density sampling_density(const std::vector<Point>& points,
     const double wanted = (std::max)({CGAL_PI * radius * radius * pieces_per_area, fewest_pieces,
                                       fewest_points / points_in_piece});
     pieces_in_ball[i] =
-        (std::min)(static_cast<std::size_t>((std::min)(wanted, most_pieces)), pieces.center.size());
+        (std::min)(static_cast<std::size_t>((std::min)(wanted, most_pieces)), pieces.size());
   });
-  const Surface_balls balls(centers, pieces.center, pieces_in_ball, progress, ConcurrencyTag());
+  const Surface_balls balls(centers, pieces, pieces_in_ball, progress, ConcurrencyTag());
 
   std::vector<double> curvature(ranges.number), possible_curvature(ranges.number),
       area(ranges.number), density(ranges.number), weight(ranges.number);
@@ -143,8 +143,8 @@ Sampling_density sampling_density(const std::vector<Point>& points,
 
   // Reconstruction wants spacings that vary slowly, and where they change at once, the relaxation takes long.
   if (settings.average_curvature)
-    curvature = mean_over_balls<ConcurrencyTag>(curvature, order_of_mean, pieces.area,
-                                                pieces_in_range, balls);
+    curvature =
+        mean_over_balls<ConcurrencyTag>(curvature, order_of_mean, pieces, pieces_in_range, balls);
 
   // Bounded from below by a part of the mean, with what noise may hide. Without that, the few places of a
   // noisy plane that look bent by chance are the only ones that are, and get half of all samples.

@@ -6,6 +6,7 @@
 #ifndef CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_SURFACE_PIECES_H
 #define CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_SURFACE_PIECES_H
 
+#include <CGAL/Curvature_aware_simplification_3/internal/Covariance_sums.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Curve_ranges.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Neighbor_search.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/features.h>
@@ -16,6 +17,7 @@
 #include <Eigen/Core>
 #include <Eigen/Eigenvalues>
 
+#include <array>
 #include <cstddef>
 #include <vector>
 
@@ -23,55 +25,36 @@ namespace CGAL {
 namespace Curvature_aware_simplification_3 {
 namespace internal {
 
-// The points in pieces of the Hilbert curve. Of each piece, enough is kept to compute the covariance of
-// the points in a ball from a few pieces instead of hundreds of points.
-struct Surface_pieces
+// The points in a piece of the Hilbert curve: enough of them to compute the covariance of the points in a ball
+// from a few pieces instead of hundreds of points
+struct Surface_piece
 {
-  std::vector<Point> center;            // the mean of the points
-  std::vector<Eigen::Matrix3d> scatter; // sum of (p - center) (p - center)^T
-  std::vector<double> number;           // of points
-  std::vector<double> area;             // of the surface that they stand for
+  Point center;                     // the mean of the points
+  std::array<double, 6> covariance; // as that of Covariance_sums
+  double number;                    // of points
+  double area;                      // of the surface that they stand for
 };
-
-// for the operators of Eigen
-inline Eigen::Vector3d eigen_vector(const Vector& v)
-{
-  return Eigen::Vector3d(v.x(), v.y(), v.z());
-}
 
 // O(n)
 template <typename ConcurrencyTag>
-Surface_pieces surface_pieces(const std::vector<Point>& points,
-                              const std::vector<double>& inverse_density,
-                              std::size_t number_of_pieces)
+std::vector<Surface_piece> surface_pieces(const std::vector<Point>& points,
+                                          const std::vector<double>& inverse_density,
+                                          std::size_t number_of_pieces)
 {
-  Surface_pieces pieces{
-      std::vector<Point>(number_of_pieces), std::vector<Eigen::Matrix3d>(number_of_pieces),
-      std::vector<double>(number_of_pieces), std::vector<double>(number_of_pieces)};
+  std::vector<Surface_piece> pieces(number_of_pieces);
   const Curve_ranges ranges{number_of_pieces, points.size()};
   for_each_index<ConcurrencyTag>(0, number_of_pieces,
                                  [&](std::size_t i)
                                  {
     const std::size_t begin = ranges.first_point(i), end = ranges.first_point(i + 1);
-    const double number = static_cast<double>(end - begin);
-    Vector sum(0., 0., 0.);
+    Covariance_sums sums;
     double area = 0.;
     for (std::size_t j = begin; j < end; ++j)
     {
-      sum = sum + (points[j] - points[begin]);
+      sums.add(points[j] - points[begin]);
       area += CGAL_PI * inverse_density[j];
     }
-    const Point center = points[begin] + sum / number;
-    Eigen::Matrix3d scatter = Eigen::Matrix3d::Zero();
-    for (std::size_t j = begin; j < end; ++j)
-    {
-      const Eigen::Vector3d d = eigen_vector(points[j] - center);
-      scatter += d * d.transpose();
-    }
-    pieces.center[i] = center;
-    pieces.scatter[i] = scatter;
-    pieces.number[i] = number;
-    pieces.area[i] = area;
+    pieces[i] = {points[begin] + sums.mean(), sums.covariance(), sums.weight, area};
   });
   return pieces;
 }
@@ -86,34 +69,39 @@ struct Deviation
   double area;           // of the surface that they stand for
 };
 
-// Of the pieces in a ball together: with w points around c in each piece, the covariance around the mean m is
-// sum (scatter + w (c - m) (c - m)^T) / sum w. A height below the rounding error of the coordinates,
-// `coordinate_error`, is 0: a plane has no curvature. So the solver is the iterative one; the closed
-// formula is off by the root of the precision for points on a line.
+// Of the pieces in a ball together: with w points around c and the covariance C in each piece, the covariance
+// around the mean m is sum w (C + (c - m) (c - m)^T) / sum w. A height below the rounding error of the
+// coordinates, `coordinate_error`, is 0: a plane has no curvature. So the solver is the iterative one; the
+// closed formula is off by the root of the precision for points on a line.
 template <typename Ball>
-Deviation deviation_from_plane(const Surface_pieces& pieces, const Ball& ball, const Point& x,
-                               double coordinate_error)
+Deviation deviation_from_plane(const std::vector<Surface_piece>& pieces, const Ball& ball,
+                               const Point& x, double coordinate_error)
 {
-  double number = 0., area = 0.;
-  Eigen::Vector3d mean = Eigen::Vector3d::Zero();
-  Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
+  Covariance_sums centers;
+  std::array<double, 6> inside = {}; // sum w C
+  double area = 0.;
   for (std::size_t i : ball)
   {
-    const Eigen::Vector3d d = eigen_vector(pieces.center[i] - x);
-    const Eigen::Vector3d weighted = pieces.number[i] * d;
-    number += pieces.number[i];
-    area += pieces.area[i];
-    mean += weighted;
-    covariance += pieces.scatter[i] + weighted * d.transpose();
+    const Surface_piece& piece = pieces[i];
+    centers.add(piece.center - x, piece.number);
+    for (std::size_t entry = 0; entry < 6; ++entry)
+      inside[entry] += piece.number * piece.covariance[entry];
+    area += piece.area;
   }
-  mean /= number;
-  covariance = covariance / number - mean * mean.transpose();
+  const double number = centers.weight;
+  std::array<double, 6> c = centers.covariance();
+  for (std::size_t entry = 0; entry < 6; ++entry)
+    c[entry] += inside[entry] / number;
+  Eigen::Matrix3d covariance;
+  covariance << c[0], c[1], c[2], //
+      c[1], c[3], c[4],           //
+      c[2], c[4], c[5];
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(covariance, Eigen::EigenvaluesOnly);
   const double squared_height = solver.eigenvalues()(0);
   const double trace = covariance.trace();
   const double rounding_error = rounding_error_of_eigenvalue(trace, coordinate_error);
-  return {squared_height > rounding_error ? squared_height : 0., trace, mean.squaredNorm(), number,
-          area};
+  return {squared_height > rounding_error ? squared_height : 0., trace,
+          centers.mean().squared_length(), number, area};
 }
 
 } // namespace internal
