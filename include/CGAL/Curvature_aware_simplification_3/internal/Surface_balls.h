@@ -36,10 +36,7 @@ public:
     for (std::size_t i = 0; i < centers.size(); ++i)
       m_first[i + 1] = m_first[i] + number_wanted[i];
     m_pieces.resize(m_first.back());
-    std::vector<Point> places(pieces.size());
-    for_each_index<ConcurrencyTag>(0, pieces.size(),
-                                   [&](std::size_t j) { places[j] = pieces[j].center; });
-    const Neighbor_search search(places, tag);
+    const Neighbor_search search(centers_of<ConcurrencyTag>(pieces), tag);
     for_each_index<ConcurrencyTag>(centers.size(), progress,
                                    [&](std::size_t i)
                                    {

@@ -59,6 +59,15 @@ std::vector<Surface_piece> surface_pieces(const std::vector<Point>& points,
   return pieces;
 }
 
+template <typename ConcurrencyTag>
+std::vector<Point> centers_of(const std::vector<Surface_piece>& pieces)
+{
+  std::vector<Point> centers(pieces.size());
+  for_each_index<ConcurrencyTag>(0, pieces.size(),
+                                 [&](std::size_t i) { centers[i] = pieces[i].center; });
+  return centers;
+}
+
 // How the points of some pieces around a place lie about their common plane
 struct Deviation
 {
