@@ -8,6 +8,8 @@
 
 #include <CGAL/Curvature_aware_simplification_3/internal/Neighbor_search.h>
 
+#include <Eigen/Core>
+
 #include <array>
 
 namespace CGAL {
@@ -47,6 +49,16 @@ struct Covariance_sums
             (yz - y * z / weight) / weight, (zz - z * z / weight) / weight};
   }
 };
+
+// Of its entries xx, xy, xz, yy, yz, zz
+inline Eigen::Matrix3d symmetric_matrix(const std::array<double, 6>& entries)
+{
+  Eigen::Matrix3d matrix;
+  matrix << entries[0], entries[1], entries[2], //
+      entries[1], entries[3], entries[4],       //
+      entries[2], entries[4], entries[5];
+  return matrix;
+}
 
 } // namespace internal
 } // namespace Curvature_aware_simplification_3

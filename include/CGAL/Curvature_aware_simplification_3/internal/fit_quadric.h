@@ -15,7 +15,6 @@
 #include <Eigen/Eigenvalues>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 namespace CGAL {
@@ -25,13 +24,8 @@ namespace internal {
 inline Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen_solver(const Covariance_sums& sums,
                                                                    int options)
 {
-  const std::array<double, 6> c = sums.covariance();
-  Eigen::Matrix3d covariance;
-  covariance << c[0], c[1], c[2], //
-      c[1], c[3], c[4],           //
-      c[2], c[4], c[5];
   Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver;
-  solver.computeDirect(covariance, options);
+  solver.computeDirect(symmetric_matrix(sums.covariance()), options);
   return solver;
 }
 

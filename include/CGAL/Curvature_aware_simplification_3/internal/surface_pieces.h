@@ -101,10 +101,7 @@ Deviation deviation_from_plane(const std::vector<Surface_piece>& pieces, const B
   std::array<double, 6> c = centers.covariance();
   for (std::size_t entry = 0; entry < 6; ++entry)
     c[entry] += inside[entry] / number;
-  Eigen::Matrix3d covariance;
-  covariance << c[0], c[1], c[2], //
-      c[1], c[3], c[4],           //
-      c[2], c[4], c[5];
+  const Eigen::Matrix3d covariance = symmetric_matrix(c);
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(covariance, Eigen::EigenvaluesOnly);
   const double squared_height = solver.eigenvalues()(0);
   const double trace = covariance.trace();
