@@ -185,6 +185,32 @@ TEST(Fit, of_a_local_surface_ignores_an_outlier)
   }
 }
 
+TEST(Fit, is_reweighted_again_only_with_noise_or_where_a_neighbor_was_left_out)
+{
+  // no quadric, so that weights make a difference; all weights are near 1
+  std::vector<Point> points;
+  for (int i = -20; i <= 20; ++i)
+    for (int j = -20; j <= 20; ++j)
+    {
+      const double x = 0.05 * i, y = 0.05 * j;
+      points.emplace_back(x, y, x * x + y * y + x * x * x);
+    }
+  const auto height = [](const std::vector<Point>& p, bool is_visible, int rounds)
+  {
+    const Neighbor_search search(p, Tag());
+    Noise noise;
+    noise.is_visible = is_visible;
+    Neighborhood neighborhood;
+    return fit_local_surface(Surface_fit{search, p.size(), noise}, Point(0., 0., 0.),
+                             CGAL::NULL_VECTOR, 0, rounds, neighborhood)
+        .origin.z();
+  };
+  EXPECT_EQ(height(points, false, rounds_to_stay), height(points, false, rounds_to_move));
+  EXPECT_NE(height(points, true, rounds_to_stay), height(points, true, rounds_to_move));
+  points.emplace_back(0.01, 0., 0.1);
+  EXPECT_NE(height(points, false, rounds_to_stay), height(points, false, rounds_to_move));
+}
+
 TEST(Fit, of_a_local_surface_separates_two_sheets)
 {
   // 0.035 apart, while 18 neighbors of one sheet have a radius of 0.038

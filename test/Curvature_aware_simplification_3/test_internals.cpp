@@ -598,6 +598,19 @@ TEST(Density_weights, of_two_points_by_hand)
   EXPECT_EQ(weights[2], 1.);
 }
 
+// sizes around those where a call of a loop takes one, two and at most 64 indices
+TEST(Loops, visit_each_index_once)
+{
+  for (std::size_t size : {0u, 1u, 1023u, 1024u, 1025u, 2049u, 65535u, 65536u, 100001u})
+  {
+    const std::size_t begin = 7;
+    std::vector<int> visits(begin + size + 100, 0), expected = visits;
+    std::fill_n(expected.begin() + 7, size, 1);
+    for_each_index<Tag>(begin, begin + size, [&](std::size_t i) { ++visits[i]; });
+    EXPECT_EQ(visits, expected) << size;
+  }
+}
+
 // Beyond 2^32, without as many points: loops hand out the indices they are given, counts and random
 // numbers tell apart what is equal in 32 bits, and whatever stores an index has room for it.
 TEST(Loops, count_in_64_bits)

@@ -41,8 +41,9 @@ struct Adaptive_settings
   // thickness, and reconstruction wants spacings that vary slowly: with 0.2, a plate of 1.5 % of
   // the diagonal was lost.
   double least_curvature = 0.5;
-  // The curvature that counts is the mean over such a ball. Parts with sharp edges and thin parts gain 2 to
-  // 10 % in the mean error without noise, others nothing. With twice the area, there is no more to gain.
+  // The curvature that counts is the mean over such a ball. Without that, the mean error of clean scans is 1.5 %
+  // larger, that of a box with rounded edges 6 %, and 16 % at 1 % of the points. With twice the area, there is no
+  // more to gain.
   bool average_curvature = true;
   // Samples are at most half as dense as the points, but where these are so sparse that not even a uniform
   // density could be had like that: there, samples may be so dense against them. With 0.5, where density
