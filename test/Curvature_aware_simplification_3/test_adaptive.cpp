@@ -185,9 +185,9 @@ TEST(Fit, of_a_local_surface_ignores_an_outlier)
   }
 }
 
-TEST(Fit, is_reweighted_again_only_with_noise_or_where_a_neighbor_was_left_out)
+TEST(Fit, is_reweighted_again_only_with_noise)
 {
-  // no quadric, so that weights make a difference; all weights are near 1
+  // no quadric, so that weights make a difference
   std::vector<Point> points;
   for (int i = -20; i <= 20; ++i)
     for (int j = -20; j <= 20; ++j)
@@ -207,8 +207,6 @@ TEST(Fit, is_reweighted_again_only_with_noise_or_where_a_neighbor_was_left_out)
   };
   EXPECT_EQ(height(points, false, rounds_to_stay), height(points, false, rounds_to_move));
   EXPECT_NE(height(points, true, rounds_to_stay), height(points, true, rounds_to_move));
-  points.emplace_back(0.01, 0., 0.1);
-  EXPECT_NE(height(points, false, rounds_to_stay), height(points, false, rounds_to_move));
 }
 
 TEST(Fit, of_a_local_surface_separates_two_sheets)
