@@ -94,7 +94,23 @@ TEST(Degradations, do_what_they_say)
   // a cap within r of its pole has the area pi r^2 of 4 pi
   EXPECT_NEAR(1. - static_cast<double>(with_a_hole.size()) / 20000., 0.01 * unit * unit / 4.,
               0.003);
+
+  // a tenth of the points, on planes that are 2 % of the diagonal apart
+  const Points lines = degraded(points, "lines:2", 1);
+  EXPECT_NEAR(static_cast<double>(lines.size()) / 20000., 0.1, 0.01);
+  for (const Point& p : lines)
+  {
+    const double line = (p.x() + 2. * p.y() + 3. * p.z()) / std::sqrt(14.) / (0.02 * unit);
+    EXPECT_LT(std::abs(line - std::round(line)), 0.0501);
+  }
+  const Points rounded = degraded({Point(0., 0., 0.), Point(2., 3., 6.)}, "rounding:10", 1);
+  EXPECT_LT(CGAL::squared_distance(rounded[1], Point(2.1, 2.8, 6.3)), 1e-28); // the diagonal is 7
+  const Points shifted = degraded(points, "shift:1", 1);
+  EXPECT_EQ(shifted[0], points[0]);
+  EXPECT_NEAR(std::sqrt(CGAL::squared_distance(shifted[1], points[1])) / unit, 0.01, 1e-12);
+  EXPECT_EQ(degraded(points, "density:10+noise:0.2", 1), degraded(falling, "noise:0.2", 2));
   EXPECT_THROW(degraded(points, "rust", 1), std::invalid_argument);
+  EXPECT_THROW(degraded(points, "clean+rust", 1), std::invalid_argument);
 }
 
 TEST(Statistics, by_hand)

@@ -107,10 +107,52 @@ inline Points with_duplicates(const Points& points, double share, CGAL::Random& 
   return result;
 }
 
+// Only the points on planes that are `distance` apart, within 5 % of that: the lines of a scanner, which measures
+// points more densely along them than across. The planes are oblique, so that they cut all faces of a part.
+inline Points with_scan_lines(const Points& points, double distance)
+{
+  const double length = distance * diagonal(points);
+  const Vector across = Vector(1., 2., 3.) / std::sqrt(14.);
+  Points result;
+  for (const Point& p : points)
+  {
+    const double line = across * (p - CGAL::ORIGIN) / length;
+    if (std::abs(line - std::round(line)) < 0.05)
+      result.push_back(p);
+  }
+  return result;
+}
+
+// Coordinates rounded to multiples of `step`, as depth cameras and file formats with integers do
+inline Points with_rounding(Points points, double step)
+{
+  const double length = step * diagonal(points);
+  const auto rounded = [&](double x) { return length * std::round(x / length); };
+  for (Point& p : points)
+    p = Point(rounded(p.x()), rounded(p.y()), rounded(p.z()));
+  return points;
+}
+
+// Every second point is of another scan, which is `distance` off
+inline Points with_shift(Points points, double distance, CGAL::Random& random)
+{
+  const Vector direction = normal_vector(random);
+  const Vector shift =
+      distance * diagonal(points) / std::sqrt(direction.squared_length()) * direction;
+  for (std::size_t i = 1; i < points.size(); i += 2)
+    points[i] = points[i] + shift;
+  return points;
+}
+
 // By name: clean, noise:PERCENT, uneven_noise:PERCENT, outliers:PERCENT, density:FACTOR, hole:PERCENT,
-// duplicates:PERCENT
+// duplicates:PERCENT, lines:PERCENT, rounding:PERCENT, shift:PERCENT, or several of them one after the
+// other, as in density:10+noise:0.2
 inline Points degraded(const Points& points, const std::string& degradation, unsigned int seed)
 {
+  const std::size_t plus = degradation.find('+');
+  if (plus != std::string::npos)
+    return degraded(degraded(points, degradation.substr(0, plus), seed),
+                    degradation.substr(plus + 1), seed + 1);
   const std::size_t colon = degradation.find(':');
   const std::string name = degradation.substr(0, colon);
   const double value = colon == std::string::npos ? 0. : std::stod(degradation.substr(colon + 1));
@@ -129,6 +171,12 @@ inline Points degraded(const Points& points, const std::string& degradation, uns
     return with_hole(points, value / 100., random);
   if (name == "duplicates")
     return with_duplicates(points, value / 100., random);
+  if (name == "lines")
+    return with_scan_lines(points, value / 100.);
+  if (name == "rounding")
+    return with_rounding(points, value / 100.);
+  if (name == "shift")
+    return with_shift(points, value / 100., random);
   throw std::invalid_argument("there is no degradation " + degradation);
 }
 
