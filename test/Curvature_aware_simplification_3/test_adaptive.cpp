@@ -165,6 +165,7 @@ TEST(Fit, knows_its_error)
     ASSERT_TRUE(fit_quadric(neighborhood, sigma, surface));
     squares += surface.c[0] * surface.c[0] / draws;
     predicted = surface.error;
+    EXPECT_DOUBLE_EQ(surface.amplification, predicted / sigma);
   }
   EXPECT_NEAR(std::sqrt(squares) / predicted, 1., 0.08); // 5 / sqrt(2 draws)
 }
@@ -207,6 +208,41 @@ TEST(Fit, is_reweighted_again_only_with_noise)
   };
   EXPECT_EQ(height(points, false, rounds_to_stay), height(points, false, rounds_to_move));
   EXPECT_NE(height(points, true, rounds_to_stay), height(points, true, rounds_to_move));
+}
+
+// Lines of a scan, ten times as far apart as the points on them: the 19 nearest of a place between two lines
+// are on these two, and tell nothing of the curvature across.
+TEST(Fit, between_two_lines_of_a_scan_takes_more_of_them)
+{
+  const double sigma = 0.01;
+  double squares_of_19 = 0., squares = 0.;
+  const unsigned int draws = 200;
+  CGAL::Random random(5);
+  for (unsigned int draw = 0; draw < draws; ++draw)
+  {
+    std::vector<Point> points;
+    for (double y : {-2.5, -1.5, -0.5, 0.5, 1.5, 2.5})
+      for (int i = -30; i <= 30; ++i)
+        points.emplace_back(0.1 * (i + random.get_double()), y,
+                            sigma * surfaces::normal_deviate(random));
+    const Neighbor_search search(points, CGAL::Sequential_tag());
+    Noise noise{sigma, sigma};
+    const auto fitted = [&](double visible_error)
+    {
+      noise.visible_error = visible_error;
+      Neighborhood neighborhood;
+      return fit_local_surface(Surface_fit{search, points.size(), noise}, Point(0., 0.1, 0.),
+                               Vector(0., 0., 1.), 0, rounds_to_move, neighborhood);
+    };
+    const Local_surface of_19 = fitted(100. * sigma), surface = fitted(sigma);
+    EXPECT_EQ(of_19.neighbors, 19U);
+    EXPECT_GE(surface.neighbors, 37U);
+    EXPECT_LE(surface.amplification, 1.);
+    squares_of_19 += of_19.origin.z() * of_19.origin.z() / draws;
+    squares += surface.origin.z() * surface.origin.z() / draws;
+  }
+  EXPECT_LT(std::sqrt(squares), sigma);
+  EXPECT_GT(std::sqrt(squares_of_19), 1.5 * std::sqrt(squares));
 }
 
 TEST(Fit, of_a_local_surface_separates_two_sheets)
@@ -598,11 +634,11 @@ TEST(Noise_levels, are_visible_above_a_bound)
 {
   Noise_levels noise{{{1., 1.}, {3., 3.}}, 2};
   EXPECT_FALSE(noise.is_visible());
-  noise.make_visible_above(2.);
+  noise.make_visible_above(1.);
   EXPECT_FALSE(noise.at(0).is_visible);
   EXPECT_TRUE(noise.at(1).is_visible);
   EXPECT_TRUE(noise.is_visible());
-  noise.make_visible_above(3.);
+  noise.make_visible_above(1.5);
   EXPECT_FALSE(noise.is_visible());
 }
 
@@ -799,7 +835,7 @@ TEST(Smoothing, is_where_noise_is_visible)
   std::vector<double> inverse_density(points.size(), 1. / (CGAL_PI * 30000.));
   std::vector<std::uint8_t> is_bent(points.size(), 0);
   Noise_levels noise{{{0.001, 0.001}, {0.002, 0.002}, {0.0015, 0.0015}}, points.size()};
-  noise.make_visible_above(0.0015);
+  noise.make_visible_above(0.00075);
   const Noise_levels left = smooth_points<Tag>(result, inverse_density, is_bent, search, noise,
                                                1000, Adaptive_settings(), Progress(no_callback));
   for (std::size_t i = 0; i < points.size(); ++i)
@@ -820,7 +856,7 @@ TEST(Smoothing, keeps_all_points_where_some_have_no_noise)
     std::vector<double> inverse_density(points.size(), 1. / (CGAL_PI * 30000.));
     std::vector<std::uint8_t> is_bent(points.size(), 0);
     Noise_levels noise{{{0.02, 0.02}, {0.02, 0.02}, {least, least}}, points.size()};
-    noise.make_visible_above(0.01);
+    noise.make_visible_above(0.005);
     smooth_points<Tag>(result, inverse_density, is_bent, search, noise, 1000, Adaptive_settings(),
                        Progress(no_callback));
     EXPECT_EQ(result.size(), least == 0. ? 30000u : 2000u);
@@ -1693,8 +1729,9 @@ TEST(Adaptive, removes_noise_that_differs_by_place)
     return mean_distance(output,
                          [&](const Point& p) { return distance_to_sphere(p) / sigma_at(p); });
   };
-  EXPECT_LT(mean_in_sigma(true), 0.22);
-  EXPECT_GT(mean_in_sigma(false), 0.3);
+  const double by_place = mean_in_sigma(true);
+  EXPECT_LT(by_place, 0.22);
+  EXPECT_GT(mean_in_sigma(false), 1.25 * by_place);
 }
 
 TEST(Adaptive, ignores_outliers)

@@ -26,6 +26,7 @@ struct Local_surface
   double radius = 0.;        // of their ball; 0: not fitted
   double spread = 0.;        // of the heights of the neighbors over it
   double error = 0.;         // standard deviation of c0 caused by noise
+  double amplification = 0.; // the same over that of one point, for independent noise
 
   double height(double a, double b) const
   {

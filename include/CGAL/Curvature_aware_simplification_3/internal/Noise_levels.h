@@ -26,6 +26,7 @@ struct Noise
   double independent_level = 0.;
   // At the distance of the samples: only then is it worth time to reduce it.
   bool is_visible = false;
+  double visible_error = 0.; // of a fit, above which it is visible there
 };
 
 // The noise of all points. It grows with the distance from a scanner, and differs from scan to scan and
@@ -53,10 +54,14 @@ struct Noise_levels
         ->level;
   }
 
-  void make_visible_above(double level)
+  // The narrowest fits have an error of up to sigma / 2.
+  void make_visible_above(double error)
   {
     for (Noise& noise : of_range)
-      noise.is_visible = noise.level > level;
+    {
+      noise.is_visible = noise.level / 2. > error;
+      noise.visible_error = error;
+    }
   }
 
   bool is_visible() const

@@ -71,13 +71,6 @@ inline void collect_neighbors(const Surface_fit& fit, const Point& x, std::size_
   neighborhood.collect(fit.search, x, largest);
 }
 
-inline void collect_neighbors(const Surface_fit& fit, const Point& x,
-                              std::size_t expected_neighbors, Neighborhood& neighborhood)
-{
-  collect_neighbors(fit, x, smallest_neighborhood, smallest_radius_in_noise * fit.noise.level,
-                    expected_neighbors, neighborhood);
-}
-
 } // namespace internal
 } // namespace Curvature_aware_simplification_3
 } // namespace CGAL

@@ -48,7 +48,8 @@ inline Vector plane_normal(const Neighborhood& neighborhood)
 }
 
 // The quadric with the least squared heights of the weighted neighbors, in the frame of `surface`. Its
-// `error` is what noise of standard deviation `noise` makes of c0. Returns false if it fails.
+// `error` is what noise of standard deviation `noise` makes of c0; without noise, nobody asks for it, nor for
+// the `amplification`. Returns false if it fails.
 //
 // With the basis f = (1, a, b, a^2, a b, b^2), the coefficients c solve (sum w f f^T) c = sum w h f. The
 // matrix has 36 entries, but they are only 15 different moments m_ij = sum w a^i b^j.
@@ -121,7 +122,8 @@ inline bool fit_quadric(const Neighborhood& neighborhood, double noise, Local_su
     surface.c[i] = c(i) * (i == 0 ? unit : i < 3 ? 1. : scale);
   // var(c0) = sigma^2 (A^-1 B A^-1)_00 with A = sum w b b', B = sum w^2 b b', taken as A times the
   // mean weight
-  surface.error = noise * std::sqrt((std::max)(influence, 0.) * sum_of_squares / sum);
+  surface.amplification = std::sqrt((std::max)(influence, 0.) * sum_of_squares / sum);
+  surface.error = noise * surface.amplification;
   return true;
 }
 

@@ -84,9 +84,8 @@ Distinct_samples simplify_adaptively(Cloud cloud, std::unique_ptr<Neighbor_searc
   const double mean_spacing =
       lattice_spacing(static_cast<double>(number_of_samples) /
                       area_of_surface<ConcurrencyTag>(features.inverse_density));
-  // The narrowest fits have an error of up to sigma / 2. More is worth its time only where that is
-  // visible: beyond 1 % of the spacing.
-  noise.make_visible_above(2. * 0.01 * mean_spacing);
+  // Wider fits are worth their time only where the error is visible: beyond 1 % of the spacing.
+  noise.make_visible_above(0.01 * mean_spacing);
 
   if (settings.smooth_points && noise.is_visible())
   {

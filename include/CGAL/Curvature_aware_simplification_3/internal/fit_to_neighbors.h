@@ -1,0 +1,170 @@
+// Copyright (c) 2026 The authors of Curvature_aware_simplification_3.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_FIT_TO_NEIGHBORS_H
+#define CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_FIT_TO_NEIGHBORS_H
+
+#include <CGAL/Curvature_aware_simplification_3/internal/Surface_fit.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/fit_quadric.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/median.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Curvature_aware_simplification_3 {
+namespace internal {
+
+// Nearly Welsch's weight exp(-e^2 / 2) with e in units of 2.5 standard deviations, as (1 - e^2 / 32)^16, which
+// takes less time: 97 % of the efficiency of least squares for Gaussian noise, and nothing left of what is
+// 8 standard deviations away
+constexpr double residual_scale = 2.5;
+
+inline double robust_weight(double residual, double spread, double scale = residual_scale)
+{
+  const double e = residual / (scale * spread);
+  const double base = (std::max)(1. - e * e / 32., 0.);
+  const double base2 = base * base, base4 = base2 * base2, base8 = base4 * base4;
+  return base8 * base8;
+}
+
+// Standard deviation of the residuals, from their median: no outlier and no second sheet moves it
+inline double residual_spread(const Neighborhood& neighborhood, const Local_surface& surface)
+{
+  static thread_local std::vector<double> residuals;
+  residuals.clear();
+  for (const Neighborhood::Neighbor& neighbor : neighborhood.neighbors)
+    residuals.push_back(std::abs(surface.residual(neighbor.position)));
+  const double n = static_cast<double>(residuals.size());
+  // 1.4826: standard deviation over median of |x| for Gaussian x; the quadric used up 5 + 1
+  return 1.4826 * median(residuals) * std::sqrt(n / (std::max)(n - 5., 1.));
+}
+
+// Standard deviation of the height of a fit. `error` is what it would be for independent noise. Smoothed
+// points share their noise: a fit narrower than the smoothing is as good as they are, e = sigma, a
+// wider one as good as with independent noise. Both filters pass what is wider than they are and hold
+// back the rest, so that the narrower one hardly matters; the transition 1/e^4 = 1/e_1^4 + 1/e_2^4 was
+// measured on spheres.
+inline double error_of_fit(const Surface_fit& fit, double error)
+{
+  if (!(fit.points_share_noise() && error > 0.))
+    return error;
+  const double ratio = error / fit.noise.level;
+  return error / std::sqrt(std::sqrt(1. + ratio * ratio * ratio * ratio));
+}
+
+// The quadric as in fit_quadric.h, with the error for points that may share their noise. It fails as well
+// where it passes far from the ball: few neighbors on one side had all the weight, and nothing is known
+// of the center. Twice the radius is not far: so high is a plane in the ball over a center on its border if
+// the guessed normal is off by 60 degrees.
+inline bool fit_quadric(const Surface_fit& fit, const Neighborhood& neighborhood,
+                        Local_surface& surface)
+{
+  Local_surface fitted = surface;
+  if (!fit_quadric(neighborhood, fit.noise.independent_level, fitted) ||
+      std::abs(fitted.c[0]) > 2. * neighborhood.radius)
+    return false;
+  surface = fitted;
+  surface.error = error_of_fit(fit, surface.error);
+  return true;
+}
+
+// Whether the ball is about as narrow as the noise allows
+inline bool is_noisy(const Surface_fit& fit, const Neighborhood& neighborhood)
+{
+  return neighborhood.radius <= 2. * smallest_radius_in_noise * fit.noise.level;
+}
+
+// Rounds of reweighting: the first leaves out outliers and other sheets well enough. A second one sees them
+// in the light of the first, which makes no difference where points are exact; but where a sample stays among
+// noisy ones, it would be 3 % farther from the surface without.
+constexpr int rounds_to_move = 1;
+constexpr int rounds_to_stay = 2;
+
+// The surface through at least `smallest` neighbors, around the foot point of x: a quadric by iteratively
+// reweighted least squares, with `rounds` of reweighting as above. `normal` is a guess, or the null
+// vector where there is none, and `expected_neighbors` how many neighbors may be needed, or 0. The
+// neighbors are left in `neighborhood`.
+inline Local_surface fit_to_neighbors(const Surface_fit& fit, const Point& x, const Vector& normal,
+                                      std::size_t smallest, std::size_t expected_neighbors,
+                                      int rounds, Neighborhood& neighborhood)
+{
+  const bool has_guess = normal != NULL_VECTOR;
+
+  Local_surface surface;
+  surface.origin = x;
+  if (has_guess)
+    surface.n = normal;
+  surface.complete_frame();
+  const double wanted_radius = smallest_radius_in_noise * fit.noise.level;
+  collect_neighbors(fit, x, smallest, wanted_radius, expected_neighbors, neighborhood);
+  // A ball around a point off the surface holds more of the noise on its side: it is moved to the
+  // foot point.
+  for (int moves = 0;;)
+  {
+    if (!(neighborhood.radius > 0.))
+      return surface;
+
+    // a point that starts a sample has no say itself: it may be an outlier
+    const auto weight_by_distance = [&]
+    {
+      neighborhood.weight_by_distance();
+      if (!has_guess)
+        for (Neighborhood::Neighbor& neighbor : neighborhood.neighbors)
+          if (neighbor.squared_distance == 0.)
+            neighbor.weight = 0.;
+    };
+    // First a plane. The ball may reach another sheet, which the next rounds then leave out: inner
+    // neighbors decide, unless the ball is as narrow as the noise allows. Then all are needed to tell
+    // the normal.
+    weight_by_distance();
+    if (!is_noisy(fit, neighborhood))
+      for (Neighborhood::Neighbor& neighbor : neighborhood.neighbors)
+        neighbor.weight = neighbor.weight * neighbor.weight * neighbor.weight;
+    if (!has_guess && moves == 0)
+    {
+      surface.n = plane_normal(neighborhood);
+      surface.complete_frame();
+    }
+    Local_surface fitted = surface;
+    fitted.radius = neighborhood.radius;
+    fitted.neighbors = expected_neighbors = neighborhood.size();
+    if (!fit_plane(neighborhood, fitted))
+      return surface;
+    for (int round = 0; round < rounds; ++round)
+    {
+      fitted.spread = (std::max)(residual_spread(neighborhood, fitted), fit.noise.level);
+      if (!(fitted.spread > 0.))
+        break;
+      weight_by_distance();
+      for (Neighborhood::Neighbor& neighbor : neighborhood.neighbors)
+        neighbor.weight *= robust_weight(fitted.residual(neighbor.position), fitted.spread);
+      if (!fit_quadric(fit, neighborhood, fitted))
+        break; // what was fitted before is the best there is
+      if (!fit.noise.is_visible)
+        break; // a second round would tell nothing new
+    }
+    const double distance = std::abs(fitted.c[0]);
+    // sigma / 2 in the narrowest balls for the noise: 1/14 of the radius. That part does for any ball.
+    const double tolerance = 0.5 * neighborhood.radius / smallest_radius_in_noise;
+    fitted.move_to_foot_point();
+    if (!(distance > tolerance && moves < fit.settings.moves_to_foot_point))
+      return fitted;
+    ++moves;
+    surface.origin = fitted.origin;
+    surface.n = fitted.n;
+    surface.complete_frame();
+    collect_neighbors(fit, surface.origin, smallest, wanted_radius, expected_neighbors,
+                      neighborhood);
+  }
+}
+
+} // namespace internal
+} // namespace Curvature_aware_simplification_3
+} // namespace CGAL
+
+#endif // CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_FIT_TO_NEIGHBORS_H
