@@ -223,8 +223,10 @@ TEST(Fit, between_two_lines_of_a_scan_takes_more_of_them)
     std::vector<Point> points;
     for (double y : {-2.5, -1.5, -0.5, 0.5, 1.5, 2.5})
       for (int i = -30; i <= 30; ++i)
-        points.emplace_back(0.1 * (i + random.get_double()), y,
-                            sigma * surfaces::normal_deviate(random));
+      {
+        const double x = 0.1 * (i + random.get_double());
+        points.emplace_back(x, y, sigma * surfaces::normal_deviate(random));
+      }
     const Neighbor_search search(points, CGAL::Sequential_tag());
     Noise noise{sigma, sigma};
     const auto fitted = [&](double visible_error)
@@ -242,7 +244,7 @@ TEST(Fit, between_two_lines_of_a_scan_takes_more_of_them)
     squares += surface.origin.z() * surface.origin.z() / draws;
   }
   EXPECT_LT(std::sqrt(squares), sigma);
-  EXPECT_GT(std::sqrt(squares_of_19), 1.5 * std::sqrt(squares));
+  EXPECT_GT(std::sqrt(squares_of_19), 1.3 * std::sqrt(squares));
 }
 
 TEST(Fit, of_a_local_surface_separates_two_sheets)
@@ -344,7 +346,7 @@ TEST(Median, is_what_sorting_finds)
 
 TEST(Sample_neighbors, agree_with_brute_force)
 {
-  for (std::size_t n : {1, 2, 10, 300})
+  for (std::size_t n : {1u, 2u, 10u, 300u})
     for (std::size_t wanted : {std::size_t(3), Sample_neighbors::most})
     {
       const std::vector<Point> points = patch(n, 12, [](double x, double) { return x; });
@@ -1104,6 +1106,72 @@ TEST(Outliers, are_not_found_in_borders_thin_parts_and_sparse_regions)
   EXPECT_LT(number_of_outliers(uneven), 0.005 * static_cast<double>(uneven.size()));
 }
 
+// n points around `center`, normally distributed
+std::vector<Point> cluster(std::size_t n, const Point& center, double sigma, unsigned int seed)
+{
+  return with_noise(std::vector<Point>(n, center), sigma, seed);
+}
+
+void append(std::vector<Point>& points, const std::vector<Point>& more)
+{
+  points.insert(points.end(), more.begin(), more.end());
+}
+
+TEST(Outliers, in_isolated_clusters_are_found)
+{
+  for (double noise : {0., 0.02}) // the 16 nearest are within 0.06
+  {
+    std::vector<Point> points = with_noise(surfaces::sphere(20000, 12), noise, 13);
+    append(points, cluster(8, Point(0., 0., 0.), 0.02, 31)); // fewer than the neighbors of a point
+    append(points, cluster(17, Point(1.5, 0., 0.), 0.02, 32));
+    append(points, cluster(40, Point(0., 1.5, 0.), 0.02, 33));
+    append(points, cluster(40, Point(0., 1.9, 0.3), 0.002, 34)); // ten times as dense
+    append(points, cluster(100, Point(0., 0., 1.5), 0.05, 35));
+    const Cloud cloud = make_cloud<Tag>(points, 1e-16);
+    const std::vector<std::uint8_t> is_outlier = outliers_of(cloud);
+    for (std::size_t i = 0; i < cloud.size(); ++i)
+    {
+      const bool is_in_cluster = cloud.input_index[i] >= 20000;
+      EXPECT_TRUE(!is_in_cluster || is_outlier[i] != 0) << noise << " " << cloud.input_index[i];
+    }
+    EXPECT_LT(std::count(is_outlier.begin(), is_outlier.end(), 1), 205 + 20 + 600 * (noise > 0.));
+  }
+}
+
+TEST(Outliers, are_not_found_in_small_parts)
+{
+  const auto outliers_with = [](const std::vector<Point>& part)
+  {
+    std::vector<Point> points = surfaces::sphere(20000, 12);
+    append(points, part);
+    const Cloud cloud = make_cloud<Tag>(points, 1e-16);
+    const std::vector<std::uint8_t> is_outlier = outliers_of(cloud);
+    std::size_t found = 0;
+    for (std::size_t i = 0; i < cloud.size(); ++i)
+      found += cloud.input_index[i] >= 20000 && is_outlier[i] != 0 ? 1U : 0U;
+    return found;
+  };
+  const auto moved = [](std::vector<Point> points, double scale)
+  {
+    for (Point& p : points)
+      p = Point(2., 0., 0.) + scale * (p - CGAL::ORIGIN);
+    return points;
+  };
+  EXPECT_LT(outliers_with(moved(with_noise(surfaces::square(60, 31), 0.02, 32), 0.2)), 6u);
+  EXPECT_EQ(outliers_with(moved(surfaces::sphere(120, 33), 0.1)), 0u);
+  std::vector<Point> line; // of a scan: noise is as large as five points are apart
+  for (int i = 0; i < 100; ++i)
+    line.emplace_back(0.001 * i, 0., 0.);
+  EXPECT_EQ(outliers_with(moved(with_noise(line, 0.005, 34), 1.)), 0u);
+  // each place measured 20 times
+  std::vector<Point> repeated;
+  for (const Point& p : surfaces::square(100, 35))
+    append(repeated, cluster(20, p, 0.02, 36));
+  EXPECT_LT(outliers_with(moved(repeated, 0.5)), 400u);
+  // as large as a part that shows a shape
+  EXPECT_EQ(outliers_with(cluster(200, Point(2., 0., 0.), 0.02, 37)), 0u);
+}
+
 Sampling_density density_of(const Cloud& cloud, std::size_t n, double alpha, double noise)
 {
   const Neighbor_search search(cloud.points, Tag());
@@ -1546,7 +1614,7 @@ TEST(Adaptive, leaves_few_gaps_on_sharp_edges)
   // 0.5 % of the gaps are longer than the 0.054 between uniform samples, and 4 % if only samples within 0.65
   // spacings move onto an edge.
   std::size_t gaps = 0, wide_gaps = 0;
-  for (unsigned int seed : {1, 2, 3})
+  for (unsigned int seed : {1u, 2u, 3u})
   {
     const std::vector<Point> result =
         simplified(cube(30000, seed), np::number_of_output_points(3000));
@@ -1577,7 +1645,7 @@ TEST(Adaptive, puts_samples_on_sharp_edges)
     return std::count_if(points.begin(), points.end(),
                          [&](const Point& p) { return distance_to_edge(p) < tolerance; });
   };
-  for (std::size_t n : {30000, 100000})
+  for (std::size_t n : {30000u, 100000u})
   {
     const std::vector<Point> result = simplified(cube(n, 87), np::number_of_output_points(3000));
     EXPECT_GT(on_edges(result, 1e-4), 12. / 0.054) << n;

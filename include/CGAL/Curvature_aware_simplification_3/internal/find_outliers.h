@@ -7,7 +7,9 @@
 #define CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_FIND_OUTLIERS_H
 
 #include <CGAL/Curvature_aware_simplification_3/internal/Cloud.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/isolated_clusters.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/loops.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/mutual_neighbors.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/scan.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/shared_features.h>
 
@@ -21,23 +23,6 @@
 namespace CGAL {
 namespace Curvature_aware_simplification_3 {
 namespace internal {
-
-// How many of the k nearest points of point i have it within the radius of their own k nearest; outliers
-// do not count
-inline std::size_t mutual_neighbors(const Cloud& cloud, const Neighbor_search& search,
-                                    const Shared_features& shared, std::size_t k,
-                                    const std::vector<std::uint8_t>& is_outlier, std::size_t i)
-{
-  std::size_t number = 0;
-  search.for_each_nearest(cloud.points[i], k + 1,
-                          [&](std::size_t j, const Point&, double squared_distance)
-                          {
-    if (j != i && is_outlier[j] == 0 &&
-        squared_distance <= shared.features.inverse_density[j] * static_cast<double>(k))
-      ++number;
-  });
-  return number;
-}
 
 // Marks those that have less votes than needed, and returns them. A vote that counts for several points
 // makes the number uncertain: those with few are asked how many of their neighbors would vote for
@@ -58,9 +43,10 @@ mark_those_with_less_votes(const Cloud& cloud, const Neighbor_search& search,
   for_each_index<ConcurrencyTag>(0, candidates.size(),
                                  [&](std::size_t c)
                                  {
-    is_confirmed[c] =
-        mutual_neighbors(cloud, search, shared, k, is_outlier, candidates[c]) < needed_votes ? 1
-                                                                                             : 0;
+    std::size_t mutual_neighbors = 0;
+    for_each_mutual_neighbor(cloud, search, shared.features, k, is_outlier, candidates[c],
+                             [&](std::size_t) { ++mutual_neighbors; });
+    is_confirmed[c] = mutual_neighbors < needed_votes ? 1 : 0;
   });
   const std::vector<std::size_t> found = elements_at<ConcurrencyTag>(
       indices_where<ConcurrencyTag>(candidates.size(),
@@ -90,11 +76,6 @@ template <typename ConcurrencyTag>
 std::vector<std::uint8_t> find_outliers(const Cloud& cloud, const Neighbor_search& search,
                                         const Shared_features& shared, std::size_t k)
 {
-  // kappa of points spread evenly in space: 0.17 on average for k = 16, and 97 % are above 0.07;
-  // that of a surface is, by Gaussian noise as large as the neighborhood, about 0.1 as well, but
-  // noise does not widen neighborhoods to 3 times the median
-  constexpr double volumetric = 0.07;
-
   const std::size_t n = cloud.size();
   const double far = far_inverse_density(shared.features.inverse_density);
   std::vector<std::uint8_t> is_outlier(n, 0);
@@ -105,9 +86,10 @@ std::vector<std::uint8_t> find_outliers(const Cloud& cloud, const Neighbor_searc
                                  [&](std::size_t i)
                                  {
     votes[i].store(shared.votes[i], std::memory_order_relaxed);
-    is_outlier[i] =
-        shared.features.inverse_density[i] > far && shared.features.curvature[i] > volumetric ? 1
-                                                                                              : 0;
+    is_outlier[i] = shared.features.inverse_density[i] > far &&
+                            shared.features.curvature[i] > least_curvature_of_volumes
+                        ? 1
+                        : 0;
   });
   const auto mark = [&](std::size_t needed_votes)
   {
@@ -138,6 +120,11 @@ std::vector<std::uint8_t> find_outliers(const Cloud& cloud, const Neighbor_searc
   // and those of points farther off: a second look asks for half of the votes. Only once, because a
   // border has little more than half; asked again and again, border after border would go.
   const bool are_many = is_more_than_a_few(found.size(), n);
+  take_votes_back(std::move(found));
+  // Without single points between them, clusters are apart.
+  found = Isolated_clusters(cloud, search, shared, k, is_outlier).points<ConcurrencyTag>();
+  for (std::size_t i : found)
+    is_outlier[i] = 1;
   take_votes_back(std::move(found));
   if (are_many)
     take_votes_back(mark(k / 2));

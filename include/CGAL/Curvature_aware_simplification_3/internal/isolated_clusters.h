@@ -1,0 +1,161 @@
+// Copyright (c) 2026 The authors of Curvature_aware_simplification_3.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_ISOLATED_CLUSTERS_H
+#define CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_ISOLATED_CLUSTERS_H
+
+#include <CGAL/Curvature_aware_simplification_3/internal/Cloud.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/Covariance_sums.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/Neighbor_search.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/fit_quadric.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/loops.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/mutual_neighbors.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/scan.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/shared_features.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace CGAL {
+namespace Curvature_aware_simplification_3 {
+namespace internal {
+
+// Clusters of points that hang in the air, as they come with photographs and with reflections. Their points
+// vote for each other, as those of a surface do, and they are dense: each of them is no outlier by itself.
+class Isolated_clusters
+{
+public:
+  Isolated_clusters(const Cloud& cloud, const Neighbor_search& search,
+                    const Shared_features& shared, std::size_t k,
+                    const std::vector<std::uint8_t>& is_outlier)
+    : m_cloud(cloud),
+      m_search(search),
+      m_features(shared.features),
+      m_k(k),
+      m_far(far_inverse_density(shared.features.inverse_density)),
+      m_is_outlier(is_outlier)
+  {}
+
+  // All their points. O(k log n) for each place where the Hilbert curve jumps between points that are not flat
+  template <typename ConcurrencyTag>
+  std::vector<std::size_t> points() const
+  {
+    const std::vector<std::size_t> first = indices_where<ConcurrencyTag>(
+        m_cloud.size(), [&](std::size_t i) { return may_be_first(i); });
+    std::vector<std::vector<std::size_t>> clusters(first.size());
+    for_each_index<ConcurrencyTag>(0, first.size(),
+                                   [&](std::size_t c)
+                                   {
+      std::vector<std::size_t> cluster = component_from(first[c]);
+      if (!cluster.empty() && is_thick(cluster) && is_apart(cluster))
+        clusters[c].swap(cluster);
+    });
+    std::vector<std::size_t> result;
+    for (const std::vector<std::size_t>& cluster : clusters)
+      result.insert(result.end(), cluster.begin(), cluster.end());
+    return result;
+  }
+
+private:
+  // A flat point is part of a surface. In the midst of few, k neighbors reach to other parts, and may look flat.
+  bool may_be_in_cluster(std::size_t i) const
+  {
+    return m_is_outlier[i] == 0 && (m_features.curvature[i] > largest_curvature_of_flat_points ||
+                                    m_features.inverse_density[i] > m_far);
+  }
+
+  // The first point of a component is no mutual neighbor of those before it on the curve. Of most other points,
+  // one of the last few is.
+  bool may_be_first(std::size_t i) const
+  {
+    if (!may_be_in_cluster(i))
+      return false;
+    for (std::size_t j = i; j > 0 && i - j < m_k; --j)
+      if (m_is_outlier[j - 1] == 0 &&
+          squared_distance(m_cloud.points[j - 1], m_cloud.points[i]) <=
+            static_cast<double>(m_k) *
+              (std::min)(m_features.inverse_density[j - 1], m_features.inverse_density[i]))
+        return false;
+    return true;
+  }
+
+  // The component of point `first` in the graph of mutual neighbors; none if it has a point before that one, a
+  // flat point, or too many.
+  std::vector<std::size_t> component_from(std::size_t first) const
+  {
+    // A noisy surface of so many neighborhoods shows a shape in the output; clusters are rarely as large.
+    const std::size_t most = 8 * m_k;
+
+    std::vector<std::size_t> component(1, first);
+    bool is_part_of_more = false;
+    for (std::size_t visited = 0; visited < component.size() && !is_part_of_more; ++visited)
+      for_each_mutual_neighbor(m_cloud, m_search, m_features, m_k, m_is_outlier, component[visited],
+                               [&](std::size_t j)
+                               {
+        if (j < first || !may_be_in_cluster(j) || component.size() > most)
+          is_part_of_more = true;
+        else if (std::find(component.begin(), component.end(), j) == component.end())
+          component.push_back(j);
+      });
+    return is_part_of_more ? std::vector<std::size_t>() : component;
+  }
+
+  // As a whole and around each point: a part of a scan line with noise is not the first, a small ball, hollow,
+  // not the second.
+  bool is_thick(const std::vector<std::size_t>& cluster) const
+  {
+    double sum = 0.; // of the curvatures
+    for (std::size_t i : cluster)
+      sum += m_features.curvature[i];
+    const double size = static_cast<double>(cluster.size());
+    const bool is_thick_everywhere =
+        cluster.size() <= m_k || sum / size > least_curvature_of_volumes; // few see other parts
+    // The smallest eigenvalue of few points is smaller: of 8 Gaussian ones, 97 % have half of that of 16.
+    const double least =
+        least_curvature_of_volumes * (std::min)(1., size / static_cast<double>(m_k));
+    const Eigen::Vector3d lambda = eigenvalues(covariance_sums(cluster));
+    return is_thick_everywhere && lambda(0) > least * lambda.sum();
+  }
+
+  // Whether nothing else is within three times its root mean square radius, about as far from it as it is wide.
+  // Where points come in small groups, as if each were measured many times, these are nearer to each other.
+  bool is_apart(const std::vector<std::size_t>& cluster) const
+  {
+    const Covariance_sums sums = covariance_sums(cluster);
+    const double radius = std::sqrt((std::max)(eigenvalues(sums).sum(), 0.));
+    std::size_t within = 0;
+    m_search.for_each_within(m_cloud.points[cluster.front()] + sums.mean(), 3. * radius,
+                             [&](std::size_t j, const Point&, double)
+                             {
+      if (m_is_outlier[j] == 0)
+        ++within;
+    });
+    return within <= cluster.size();
+  }
+
+  Covariance_sums covariance_sums(const std::vector<std::size_t>& cluster) const
+  {
+    Covariance_sums sums;
+    for (std::size_t i : cluster)
+      sums.add(m_cloud.points[i] - m_cloud.points[cluster.front()]);
+    return sums;
+  }
+
+  const Cloud& m_cloud;
+  const Neighbor_search& m_search;
+  const Features& m_features;
+  std::size_t m_k;
+  double m_far;
+  const std::vector<std::uint8_t>& m_is_outlier;
+};
+
+} // namespace internal
+} // namespace Curvature_aware_simplification_3
+} // namespace CGAL
+
+#endif // CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_ISOLATED_CLUSTERS_H

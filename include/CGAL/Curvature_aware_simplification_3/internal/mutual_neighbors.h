@@ -1,0 +1,42 @@
+// Copyright (c) 2026 The authors of Curvature_aware_simplification_3.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_MUTUAL_NEIGHBORS_H
+#define CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_MUTUAL_NEIGHBORS_H
+
+#include <CGAL/Curvature_aware_simplification_3/internal/Cloud.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/Neighbor_search.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/features.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace CGAL {
+namespace Curvature_aware_simplification_3 {
+namespace internal {
+
+// function(j) for those j of the k nearest points of point i that have it within the radius of their own k
+// nearest. Outliers do not count.
+template <typename Function>
+void for_each_mutual_neighbor(const Cloud& cloud, const Neighbor_search& search,
+                              const Features& features, std::size_t k,
+                              const std::vector<std::uint8_t>& is_outlier, std::size_t i,
+                              const Function& function)
+{
+  search.for_each_nearest(cloud.points[i], k + 1,
+                          [&](std::size_t j, const Point&, double squared_distance)
+                          {
+    if (j != i && is_outlier[j] == 0 &&
+        squared_distance <= features.inverse_density[j] * static_cast<double>(k))
+      function(j);
+  });
+}
+
+} // namespace internal
+} // namespace Curvature_aware_simplification_3
+} // namespace CGAL
+
+#endif // CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_MUTUAL_NEIGHBORS_H
