@@ -150,7 +150,7 @@ curvature_aware_random_simplify_point_set(const PointRange& points, OutputIterat
   using namespace Curvature_aware_simplification_3::internal;
   using Types = Input_types<PointRange, NamedParameters>;
 
-  const Parameters parameters = read_parameters(np, number_of_elements(points));
+  const Parameters parameters = read_parameters_of_selection(np, number_of_elements(points));
 
   std::vector<std::size_t> selected;
   try

@@ -93,7 +93,7 @@ The complexity is \f$O(n (\log n + k))\f$ for \f$n\f$ points.
 */
 template <typename ConcurrencyTag, typename PointRange, typename SurfaceVariationMap,
           typename NamedParameters = parameters::Default_named_parameters>
-bool estimate_surface_variation(PointRange& points, unsigned int k,
+bool estimate_surface_variation(PointRange& points, std::size_t k,
                                 SurfaceVariationMap surface_variation_map,
                                 const NamedParameters& np = parameters::default_values())
 {
@@ -104,7 +104,7 @@ bool estimate_surface_variation(PointRange& points, unsigned int k,
 
   if (number_of_elements(points) == 0)
     throw_empty_range();
-  checked_count("k", k, 2, largest_count, "an integer of at least 2");
+  checked_count("k", k, 2, largest_count, count_from(2));
   const std::function<bool(double)> callback =
       choose_parameter(get_parameter(np, internal_np::callback), std::function<bool(double)>());
 

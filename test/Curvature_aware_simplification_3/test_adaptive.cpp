@@ -247,6 +247,36 @@ TEST(Fit, between_two_lines_of_a_scan_takes_more_of_them)
   EXPECT_GT(std::sqrt(squares_of_19), 1.3 * std::sqrt(squares));
 }
 
+// Also where the first fit is given up: next to gaps
+TEST(Fit, starts_from_the_point_and_the_normal_it_is_given)
+{
+  CGAL::Random random(7);
+  std::vector<Point> points; // sparse lines, with noise
+  for (int line = 0; line < 40; ++line)
+    for (int i = 0; i < 200; ++i)
+    {
+      const double x = 0.005 * (i + random.get_double());
+      points.emplace_back(x, 0.05 * line, 0.02 * surfaces::normal_deviate(random));
+    }
+  const Neighbor_search search(points, CGAL::Sequential_tag());
+  const Surface_fit fit{search, points.size(), Noise(), Adaptive_settings()};
+  std::size_t refitted = 0;
+  for (const Point& p : points)
+  {
+    Surface_sample own, given;
+    own.place(fit, p, CGAL::NULL_VECTOR, rounds_to_move);
+    own.point = own.point + Vector(0., 0.02, 0.);
+    given = own;
+    own.place(fit, own.point, own.normal, rounds_to_stay);
+    const Point x = given.point;
+    const Vector normal = given.normal;
+    given.place(fit, x, normal, rounds_to_stay);
+    EXPECT_EQ(own.point, given.point);
+    refitted += given.surface.neighbors != 0 ? 1U : 0U;
+  }
+  EXPECT_GT(refitted, 0u);
+}
+
 TEST(Fit, of_a_local_surface_separates_two_sheets)
 {
   // 0.035 apart, while 18 neighbors of one sheet have a radius of 0.038
@@ -504,10 +534,10 @@ TEST(Border, of_a_half_plane_and_of_none)
       EXPECT_LT((border.x * at_border.u + border.y * at_border.v).x(), 0.) << t;
       EXPECT_LT(border.limit, 0.02) << t;          // of a neighborhood with a radius of 0.017
       double a = 1. * border.x, b = 1. * border.y; // far out
-      border.restrict(a, b);
+      border.move_back(a, b);
       EXPECT_NEAR(a * border.x + b * border.y, border.limit, 1e-12);
       double c = -0.01 * border.x, d = -0.01 * border.y; // inside
-      border.restrict(c, d);
+      border.move_back(c, d);
       EXPECT_EQ(c, -0.01 * border.x);
     }
 
@@ -1106,6 +1136,21 @@ TEST(Outliers, are_not_found_in_borders_thin_parts_and_sparse_regions)
   EXPECT_LT(number_of_outliers(uneven), 0.005 * static_cast<double>(uneven.size()));
 }
 
+TEST(Outliers, are_not_found_by_chance_in_few_points)
+{
+  for (std::size_t n : {100u, 500u, 999u})
+  {
+    std::ptrdiff_t found = 0;
+    for (unsigned int seed = 0; seed < 100; ++seed)
+    {
+      const std::vector<std::uint8_t> is_outlier =
+          outliers_of(make_cloud<Tag>(surfaces::square(n, seed), 1e-16));
+      found += std::count(is_outlier.begin(), is_outlier.end(), 1);
+    }
+    EXPECT_LT(found, 30) << n;
+  }
+}
+
 // n points around `center`, normally distributed
 std::vector<Point> cluster(std::size_t n, const Point& center, double sigma, unsigned int seed)
 {
@@ -1162,14 +1207,14 @@ TEST(Outliers, are_not_found_in_small_parts)
   std::vector<Point> line; // of a scan: noise is as large as five points are apart
   for (int i = 0; i < 100; ++i)
     line.emplace_back(0.001 * i, 0., 0.);
-  EXPECT_EQ(outliers_with(moved(with_noise(line, 0.005, 34), 1.)), 0u);
+  EXPECT_LT(outliers_with(moved(with_noise(line, 0.005, 34), 1.)), 5u);
   // each place measured 20 times
   std::vector<Point> repeated;
   for (const Point& p : surfaces::square(100, 35))
     append(repeated, cluster(20, p, 0.02, 36));
   EXPECT_LT(outliers_with(moved(repeated, 0.5)), 400u);
   // as large as a part that shows a shape
-  EXPECT_EQ(outliers_with(cluster(200, Point(2., 0., 0.), 0.02, 37)), 0u);
+  EXPECT_LT(outliers_with(cluster(200, Point(2., 0., 0.), 0.02, 37)), 20u);
 }
 
 Sampling_density density_of(const Cloud& cloud, std::size_t n, double alpha, double noise)

@@ -3,16 +3,16 @@
 #include "surfaces.h"
 
 #include <CGAL/Curvature_aware_simplification_3/internal/Cloud.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/Counter_based_random.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Curvature_weights.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Neighbor_search.h>
-#include <CGAL/Curvature_aware_simplification_3/internal/counter_based_random.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/density_weights.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/equal_points.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/features.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/parameters.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/prefix_sums.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/relax.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/sample_spacing.h>
-#include <CGAL/Curvature_aware_simplification_3/internal/scan.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/select_along_curve.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/select_points.h>
 #include <CGAL/estimate_surface_variation.h>
@@ -373,6 +373,31 @@ TEST(Surface_variation, is_not_changed_by_a_far_point)
   }
 }
 
+TEST(Curve_ranges, are_even_for_any_number_of_points)
+{
+  const auto expect_even = [](const Curve_ranges& ranges)
+  {
+    const std::size_t n = ranges.number_of_points;
+    EXPECT_EQ(ranges.first_point(0), 0u);
+    EXPECT_EQ(ranges.first_point(ranges.number), n);
+    for (std::size_t i : {std::size_t(0), n / 7, n / 2, n - 2, n - 1})
+    {
+      const std::size_t range = ranges.range_of(i);
+      EXPECT_LE(ranges.first_point(range), i);
+      EXPECT_LT(i, ranges.first_point(range + 1));
+      EXPECT_LE(ranges.size(range), n / ranges.number + 1);
+    }
+  };
+  for (std::size_t number : {1u, 3u, 10u, 19u})
+    expect_even({number, 10});
+  for (std::size_t number :
+       {7u, 1000003u, 2147483649u}) // the number of points times that of ranges has 71 bits
+    expect_even({number, std::size_t(1) << 40});
+  EXPECT_EQ((Curve_ranges{3, 10}.range_of(3)), 0u); // points 0 to 3, 4 to 6, 7 to 9
+  EXPECT_EQ((Curve_ranges{3, 10}.range_of(4)), 1u);
+  EXPECT_EQ((Curve_ranges{3, 10}.range_of(7)), 2u);
+}
+
 TEST(Box_of_most_points, leaves_out_what_is_far_only)
 {
   CGAL::Random random(25);
@@ -389,9 +414,8 @@ TEST(Box_of_most_points, leaves_out_what_is_far_only)
   EXPECT_NEAR(box_of().xmin(), -0.4, 0.03);
   EXPECT_NEAR(box_of().xmax(), 1.4, 0.03);
   EXPECT_EQ(box_of().zmax(), 0.);
-  // too far to be of use
-  points.emplace_back(1e200, 0., 0.);
-  EXPECT_EQ(box_of().xmax(), 1e200);
+  points.emplace_back(1e200, 0., 0.); // no measurement
+  EXPECT_THROW(box_of(), std::invalid_argument);
   points.pop_back();
   // a tenth of the points elsewhere is not a few
   for (int i = 0; i < 1200; ++i)

@@ -500,47 +500,55 @@ TEST(Errors, name_the_parameter_its_value_and_what_is_allowed)
   std::vector<Point> untouched = {Point(1, 2, 3)};
   const auto message = [&](const auto& parameters)
   {
-    const std::string text = message_of(
+    return message_of(
         [&]
         {
       CGAL::curvature_aware_simplify_point_set<Tag>(points, std::back_inserter(untouched),
                                                     parameters);
     });
-    EXPECT_EQ(text, message_of(
-                        [&]
-                        {
-      CGAL::curvature_aware_random_simplify_point_set<Tag>(points, std::back_inserter(untouched),
+  };
+  const auto message_of_subset = [&](const auto& parameters)
+  {
+    std::vector<Point> selected;
+    return message_of(
+        [&]
+        {
+      CGAL::curvature_aware_random_simplify_point_set<Tag>(points, std::back_inserter(selected),
                                                            parameters);
-    }));
-    return text;
+    });
+  };
+  const auto common_message = [&](const auto& parameters)
+  {
+    EXPECT_EQ(message_of_subset(parameters), message(parameters));
+    return message(parameters);
   };
   const double nan = std::numeric_limits<double>::quiet_NaN();
   const double infinity = std::numeric_limits<double>::infinity();
 
-  EXPECT_EQ(message(np::select_percentage(0)),
+  EXPECT_EQ(common_message(np::select_percentage(0)),
             "select_percentage is 0, but must be above 0 and at most 100");
-  EXPECT_EQ(message(np::select_percentage(100.5)),
+  EXPECT_EQ(common_message(np::select_percentage(100.5)),
             "select_percentage is 100.5, but must be above 0 and at most 100");
-  EXPECT_EQ(message(np::select_percentage(nan)),
+  EXPECT_EQ(common_message(np::select_percentage(nan)),
             "select_percentage is nan, but must be above 0 and at most 100");
-  EXPECT_EQ(message(np::number_of_output_points(0)),
+  EXPECT_EQ(common_message(np::number_of_output_points(0)),
             "number_of_output_points is 0, but must be an integer from 1 to the number of points, "
             "which is 100");
   EXPECT_EQ(
-      message(np::number_of_output_points(101)),
+      common_message(np::number_of_output_points(101)),
       "number_of_output_points is 101, but must be an integer from 1 to the number of points, "
       "which is 100");
-  EXPECT_EQ(message(np::number_of_output_points(-5)),
+  EXPECT_EQ(common_message(np::number_of_output_points(-5)),
             "number_of_output_points is -5, but must be an integer from 1 to the number of points, "
             "which is 100");
   EXPECT_EQ(
-      message(np::number_of_output_points(2.5)),
+      common_message(np::number_of_output_points(2.5)),
       "number_of_output_points is 2.5, but must be an integer from 1 to the number of points, "
       "which is 100");
   EXPECT_EQ(message(np::number_of_iterations(-1)),
-            "number_of_iterations is -1, but must be an integer of at least 0");
-  EXPECT_EQ(message(np::number_of_neighbors(1)),
-            "number_of_neighbors is 1, but must be an integer of at least 2");
+            "number_of_iterations is -1, but must be an integer from 0 to 4294967295");
+  EXPECT_EQ(common_message(np::number_of_neighbors(1)),
+            "number_of_neighbors is 1, but must be an integer from 2 to 4294967295");
   EXPECT_EQ(message(np::neighbor_radius(-0.5)),
             "neighbor_radius is -0.5, but must be above 0 and finite");
   EXPECT_EQ(message(np::neighbor_radius(0.)),
@@ -549,14 +557,19 @@ TEST(Errors, name_the_parameter_its_value_and_what_is_allowed)
             "neighbor_radius is nan, but must be above 0 and finite");
   EXPECT_EQ(message(np::neighbor_radius(infinity)),
             "neighbor_radius is inf, but must be above 0 and finite");
-  EXPECT_EQ(message(np::curvature_weight(1.5)), "curvature_weight is 1.5, but must be from 0 to 1");
-  EXPECT_EQ(message(np::curvature_weight(-1)), "curvature_weight is -1, but must be from 0 to 1");
+  EXPECT_EQ(common_message(np::curvature_weight(1.5)),
+            "curvature_weight is 1.5, but must be from 0 to 1");
+  EXPECT_EQ(common_message(np::curvature_weight(-1)),
+            "curvature_weight is -1, but must be from 0 to 1");
   EXPECT_EQ(message(np::curvature_dependence(-2.)),
             "curvature_dependence is -2, but must be at least 0 and finite");
-  EXPECT_EQ(message(np::adaptivity(nan)), "adaptivity is nan, but must be from 0 to 1");
+  EXPECT_EQ(common_message(np::adaptivity(nan)), "adaptivity is nan, but must be from 0 to 1");
   EXPECT_EQ(message(np::repulsion_weight(0.5)),
             "repulsion_weight is 0.5, but must be at least 0 and below 0.5, where the iteration "
             "converges");
+  EXPECT_EQ(common_message(np::number_of_neighbors(5000000000)),
+            "number_of_neighbors is 5000000000, but must be an integer from 2 to 4294967295");
+  EXPECT_EQ(message_of_subset(np::repulsion_weight(0.5)), "no exception"); // which it does not have
   EXPECT_EQ(untouched.size(), 1u);
 }
 
@@ -568,7 +581,7 @@ TEST_P(Both_methods, errors_of_the_points)
   EXPECT_EQ(message_of([&] { output = subset(points); }),
             "points is empty, but must hold at least one point");
   std::vector<std::pair<Point, double>> none;
-  const auto variation = [&](unsigned int k)
+  const auto variation = [&](auto k)
   {
     CGAL::estimate_surface_variation<Tag>(
         none, k, CGAL::Second_of_pair_property_map<std::pair<Point, double>>(),
@@ -588,7 +601,15 @@ TEST_P(Both_methods, errors_of_the_points)
               "points: the point at index 42 has a coordinate that is not finite");
   }
   none.emplace_back(Point(0, 0, 0), 0.);
-  EXPECT_EQ(message_of([&] { variation(1); }), "k is 1, but must be an integer of at least 2");
+  EXPECT_EQ(message_of([&] { variation(1); }),
+            "k is 1, but must be an integer from 2 to 4294967295");
+  EXPECT_NE(message_of([&] { variation(-1); }), "no exception");
+
+  points[99] = Point(0., 0., -1e200); // a marker of an invalid measurement
+  const std::string too_far = "points: the point at index 99 is more than 1e140 times as far from "
+                              "most others as these are from each other";
+  EXPECT_EQ(message_of([&] { output = simplified(points); }), too_far);
+  EXPECT_EQ(message_of([&] { output = subset(points); }), too_far);
 }
 
 // What is degenerate must still give the exact count, finite, inside the box grown by 1.5
@@ -712,6 +733,40 @@ TEST(Far_points, cost_the_others_no_digits)
     for (const Point& p : result)
       ASSERT_NEAR(std::sqrt((p - CGAL::ORIGIN).squared_length()), 1., 1e-3) << far;
     EXPECT_EQ(std::set<Point>(result.begin(), result.end()).size(), 500u);
+  }
+}
+
+TEST(Far_points, leave_the_literal_method_at_work)
+{
+  settings_of_the_paper = true;
+  for (double far : {1e3, 1e16, 1e30, 1e139})
+  {
+    std::vector<Point> points = surfaces::sphere(5000, 23);
+    points.emplace_back(far, far, far);
+    const std::set<Point> input(points.begin(), points.end());
+    std::size_t moved = 0;
+    for (const Point& p : simplified(points, np::number_of_output_points(500)))
+      moved += 1 - input.count(p);
+    EXPECT_GT(moved, 490u) << far;
+  }
+}
+
+TEST_P(Both_methods, degenerate_coordinates_at_the_ends_of_their_range)
+{
+  std::vector<Point> tiny, huge;
+  for (const Point& p : surfaces::sphere(1000, 24))
+  {
+    // squares underflow in the frame, and the area of all of them is 0
+    tiny.emplace_back(1e-200 * p.x(), 1e-200 * p.y(), 1e-200 * p.z());
+    huge.emplace_back(-1.7e308 + 1e305 * p.x(), 0., 1e305 * p.z());
+  }
+  for (int i = 0; i < 200; ++i)
+    tiny.emplace_back(i % 2 == 0 ? -1. : 1., 0., 1e-3 * i);
+  huge.emplace_back(1.7e308, 0., 0.);
+  for (std::size_t n : {1u, 50u, 900u})
+  {
+    EXPECT_EQ(simplified(tiny, np::number_of_output_points(n)).size(), n);
+    EXPECT_EQ(simplified(huge, np::number_of_output_points(n)).size(), n);
   }
 }
 

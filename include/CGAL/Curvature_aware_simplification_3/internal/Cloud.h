@@ -12,7 +12,7 @@
 #include <CGAL/Curvature_aware_simplification_3/internal/box_of_most_points.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/equal_points.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/loops.h>
-#include <CGAL/Curvature_aware_simplification_3/internal/scan.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/prefix_sums.h>
 
 #include <CGAL/Bbox_3.h>
 #include <CGAL/Hilbert_sort_median_3.h>

@@ -13,18 +13,32 @@ namespace Curvature_aware_simplification_3 {
 namespace internal {
 
 // The points along the Hilbert curve in ranges of equally many, up to one: compact parts of the surface,
-// each with measures of its own. There is at least one range.
+// each with measures of its own. There is at least one range, and fewer than 2^32.
 struct Curve_ranges
 {
   std::size_t number;
   std::size_t number_of_points;
 
-  std::size_t range_of(std::size_t point) const { return point * number / number_of_points; }
+  // The range that first_point() starts at the point or before. The quotient is exact but for rounding, and
+  // the product of two integers might not be one of 64 bits.
+  std::size_t range_of(std::size_t point) const
+  {
+    auto range = static_cast<std::size_t>(
+        static_cast<double>(point) *
+        (static_cast<double>(number) / static_cast<double>(number_of_points)));
+    while (first_point(range) > point)
+      --range;
+    while (first_point(range + 1) <= point)
+      ++range;
+    return range;
+  }
 
-  // the least point of a range; that of the number of ranges is the number of points
+  // The least point of a range, range * number_of_points / number rounded up; that of the number of ranges is the
+  // number of points.
   std::size_t first_point(std::size_t range) const
   {
-    return (range * number_of_points + number - 1) / number;
+    const std::size_t quotient = number_of_points / number, rest = number_of_points % number;
+    return range * quotient + (range * rest + number - 1) / number;
   }
 
   std::size_t size(std::size_t range) const { return first_point(range + 1) - first_point(range); }

@@ -83,10 +83,10 @@ std::vector<Layer> median_layers(const Noise_probes& probes, const std::vector<s
   for_each_index<ConcurrencyTag>(0, ranges.size(),
                                  [&](std::size_t r)
                                  {
-    const std::vector<std::size_t>& near = probes.of_range[ranges[r]];
-    medians[ranges[r]] = {median_of(near, [&](std::size_t i) { return layers[i].thickness; }),
-                          median_of(near, [&](std::size_t i) { return layers[i].width; }),
-                          median_of(near, [&](std::size_t i) { return layers[i].length; })};
+    const std::vector<std::size_t>& of_range = probes.of_range[ranges[r]];
+    medians[ranges[r]] = {median_of(of_range, [&](std::size_t i) { return layers[i].thickness; }),
+                          median_of(of_range, [&](std::size_t i) { return layers[i].width; }),
+                          median_of(of_range, [&](std::size_t i) { return layers[i].length; })};
   });
   return medians;
 }

@@ -26,15 +26,14 @@ struct Surface_border
   double x = 0., y = 0.; // outwards, of unit length
   double limit = 0.;
 
-  // moves (a, b) back to the border; false if it was not beyond
-  bool restrict(double& a, double& b) const
+  // moves (a, b) back to the border if it is beyond
+  void move_back(double& a, double& b) const
   {
     const double excess = a * x + b * y - limit;
     if (!(exists && excess > 0.))
-      return false;
+      return;
     a -= excess * x;
     b -= excess * y;
-    return true;
   }
 };
 

@@ -34,12 +34,12 @@ struct Surface_fit
 };
 
 // 18 neighbors, two rings around a point: three for each coefficient of a quadric
-constexpr std::size_t smallest_neighborhood = 19;
+inline constexpr std::size_t smallest_neighborhood = 19;
 // Four doublings above. Then noise is down to sigma / 6, and time grows faster than accuracy.
-constexpr std::size_t largest_neighborhood = 16 * 18 + 1;
+inline constexpr std::size_t largest_neighborhood = 16 * 18 + 1;
 // In units of sigma. In a ball of that radius, the layer of noisy points looks flat; in a much smaller
 // one it looks as thick as wide and has no normal.
-constexpr double smallest_radius_in_noise = 7.;
+inline constexpr double smallest_radius_in_noise = 7.;
 
 // Collects the neighbors of x that a fit needs: `smallest` nearest, or all in the ball that noise asks
 // for. `expected_neighbors` is about how many points are in that ball, or 0 if not known.

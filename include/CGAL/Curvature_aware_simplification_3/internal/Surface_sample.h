@@ -41,8 +41,8 @@ struct Surface_sample
 
   // Fits the surface around x in so many rounds, and puts the sample on it. In a gap of the input, where
   // that is no more than a guess, it goes back to the nearest point of the input. Returns the point of the
-  // input that is nearest to the sample.
-  Point place(const Surface_fit& fit, const Point& x, const Vector& guess, int rounds)
+  // input that is nearest to the sample. `x` and `guess` may be its own, which the first fit replaces.
+  Point place(const Surface_fit& fit, Point x, Vector guess, int rounds)
   {
     // Of the radius of the ball. Of 19 random points in a disk, none is within that distance of the center
     // once in 40,000 times.
@@ -78,7 +78,7 @@ private:
     surface = fit_local_surface(fit, x, guess, surface.neighbors, rounds, neighborhood);
     border = fit.settings.keep_borders ? find_border(neighborhood, surface) : Surface_border();
     double at_a = 0., at_b = 0.;
-    border.restrict(at_a, at_b);
+    border.move_back(at_a, at_b);
     move_to(at_a, at_b);
   }
 };

@@ -11,7 +11,10 @@
 #include <CGAL/Bbox_3.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
+#include <stdexcept>
+#include <string>
 #include <vector>
 
 namespace CGAL {
@@ -48,14 +51,37 @@ inline Bbox_3 twice_the_middle_box(const std::vector<Point>& points, std::size_t
   return Bbox_3(lower[0], lower[1], lower[2], upper[0], upper[1], upper[2]);
 }
 
+// Whether coordinates relative to the center of `most` are numbers for all in `box`
+inline bool is_difference_finite(const Bbox_3& box, const Bbox_3& most)
+{
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const double center = most.min(axis) / 2. + most.max(axis) / 2.;
+    if (!std::isfinite(box.max(axis) - center) || !std::isfinite(center - box.min(axis)))
+      return false;
+  }
+  return true;
+}
+
+[[noreturn]] inline void throw_point_too_far(const std::vector<Point>& points, const Bbox_3& most)
+{
+  std::size_t i = 0;
+  while (do_overlap(points[i].bbox(), most))
+    ++i;
+  throw std::invalid_argument("points: the point at index " + std::to_string(i) +
+                              " is more than 1e140 times as far from most others as these are from "
+                              "each other");
+}
+
 // A box that holds most of the points, if that of all, `box`, is a hundred times as large: a few points
 // that are so far away would otherwise decide over the precision of all. `box` in all other cases.
 inline Bbox_3 box_of_most_points(const std::vector<Point>& points, const Bbox_3& box)
 {
   // Two of the seven digits of a float, with which curvature is still known. Nearer points cost less.
-  constexpr double far = 100.;
-  // In the unit of a box that is so many times as large, the squares of the others would underflow.
-  constexpr double too_far = 1e140;
+  constexpr double few_digits = 100.;
+  // In the unit of a box that is so many times as large, the squares of the others would underflow: such a
+  // point is no measurement, but stands for the lack of one.
+  constexpr double no_digits = 1e140;
   // Some points tell, nearly always, that there are none. To be independent of the order of the points, the
   // answer must not depend on the choice of these.
   constexpr std::size_t probes = 1000;
@@ -67,7 +93,11 @@ inline Bbox_3 box_of_most_points(const std::vector<Point>& points, const Bbox_3&
     return box;
   const Bbox_3 most = twice_the_middle_box(points, 1);
   const double size_of_most = half_of_longest_side(most);
-  return size_of_most > size / too_far && size_of_most < size / far ? most : box;
+  if (size_of_most > 0. && size_of_most <= size / no_digits)
+    throw_point_too_far(points, most);
+  return size_of_most > 0. && size_of_most < size / few_digits && is_difference_finite(box, most)
+             ? most
+             : box;
 }
 
 } // namespace internal

@@ -10,7 +10,7 @@
 #include <CGAL/Curvature_aware_simplification_3/internal/isolated_clusters.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/loops.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/mutual_neighbors.h>
-#include <CGAL/Curvature_aware_simplification_3/internal/scan.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/prefix_sums.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/shared_features.h>
 
 #include <algorithm>
@@ -57,10 +57,10 @@ mark_those_with_less_votes(const Cloud& cloud, const Neighbor_search& search,
 }
 
 // Whether so many outliers are more than a clean scan has. Of 15 of these, at most one in 2000 points was
-// taken for an outlier; where one in 20 was added, one in 25 at least was found.
+// taken for an outlier; where one in 20 was added, one in 25 at least was found. Of few points, some are by chance.
 inline bool is_more_than_a_few(std::size_t outliers, std::size_t points)
 {
-  return outliers > points / 1000;
+  return outliers > 3 + points / 1000;
 }
 
 // Which points do not belong to a surface: 1 for outliers. Takes O(k + log n) for each outlier and
@@ -77,7 +77,7 @@ std::vector<std::uint8_t> find_outliers(const Cloud& cloud, const Neighbor_searc
                                         const Shared_features& shared, std::size_t k)
 {
   const std::size_t n = cloud.size();
-  const double far = far_inverse_density(shared.features.inverse_density);
+  const double sparse = far_inverse_density(shared.features.inverse_density);
   std::vector<std::uint8_t> is_outlier(n, 0);
   std::vector<std::atomic<std::uint32_t>> votes(n); // sums of integers: the order does not matter
   // A quarter of the votes: a corner of an open surface, the least that a surface has, gets a half.
@@ -86,7 +86,7 @@ std::vector<std::uint8_t> find_outliers(const Cloud& cloud, const Neighbor_searc
                                  [&](std::size_t i)
                                  {
     votes[i].store(shared.votes[i], std::memory_order_relaxed);
-    is_outlier[i] = shared.features.inverse_density[i] > far &&
+    is_outlier[i] = shared.features.inverse_density[i] > sparse &&
                             shared.features.curvature[i] > least_curvature_of_volumes
                         ? 1
                         : 0;

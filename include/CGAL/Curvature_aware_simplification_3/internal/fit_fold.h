@@ -9,7 +9,7 @@
 #include <CGAL/Curvature_aware_simplification_3/internal/Local_surface.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Neighborhood.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/fit_quadric.h>
-#include <CGAL/Curvature_aware_simplification_3/internal/fit_two_planes.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/two_planes.h>
 
 #include <algorithm>
 #include <cmath>

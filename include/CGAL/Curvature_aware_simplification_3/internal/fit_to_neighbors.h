@@ -22,7 +22,7 @@ namespace internal {
 // Nearly Welsch's weight exp(-e^2 / 2) with e in units of 2.5 standard deviations, as (1 - e^2 / 32)^16, which
 // takes less time: 97 % of the efficiency of least squares for Gaussian noise, and nothing left of what is
 // 8 standard deviations away
-constexpr double residual_scale = 2.5;
+inline constexpr double residual_scale = 2.5;
 
 inline double robust_weight(double residual, double spread, double scale = residual_scale)
 {
@@ -82,8 +82,8 @@ inline bool is_noisy(const Surface_fit& fit, const Neighborhood& neighborhood)
 // Rounds of reweighting: the first leaves out outliers and other sheets well enough. A second one sees them
 // in the light of the first, which makes no difference where points are exact; but where a sample stays among
 // noisy ones, it would be 3 % farther from the surface without.
-constexpr int rounds_to_move = 1;
-constexpr int rounds_to_stay = 2;
+inline constexpr int rounds_to_move = 1;
+inline constexpr int rounds_to_stay = 2;
 
 // The surface through at least `smallest` neighbors, around the foot point of x: a quadric by iteratively
 // reweighted least squares, with `rounds` of reweighting as above. `normal` is a guess, or the null

@@ -21,7 +21,7 @@ namespace internal {
 
 // 2 standard deviations where a fit is widened: what it meets there may be another sheet, and nothing
 // is left of that if it is 6 away
-constexpr double residual_scale_of_wider = 2.;
+inline constexpr double residual_scale_of_wider = 2.;
 
 // The surface from a wider ball than `surface` was fitted to, taken from `wide`; false if that does not
 // reduce its error. The narrower one tells by the height which points belong to the same sheet. Distances

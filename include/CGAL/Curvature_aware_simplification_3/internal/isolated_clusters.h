@@ -12,7 +12,7 @@
 #include <CGAL/Curvature_aware_simplification_3/internal/fit_quadric.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/loops.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/mutual_neighbors.h>
-#include <CGAL/Curvature_aware_simplification_3/internal/scan.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/prefix_sums.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/shared_features.h>
 
 #include <algorithm>
@@ -78,8 +78,8 @@ private:
     for (std::size_t j = i; j > 0 && i - j < m_k; --j)
       if (m_is_outlier[j - 1] == 0 &&
           squared_distance(m_cloud.points[j - 1], m_cloud.points[i]) <=
-            static_cast<double>(m_k) *
-              (std::min)(m_features.inverse_density[j - 1], m_features.inverse_density[i]))
+              static_cast<double>(m_k) *
+                  (std::min)(m_features.inverse_density[j - 1], m_features.inverse_density[i]))
         return false;
     return true;
   }

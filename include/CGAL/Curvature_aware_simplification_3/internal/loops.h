@@ -47,17 +47,17 @@ template <typename ConcurrencyTag, typename Kernel>
 void for_each_index(std::size_t size, const Progress& progress, const Kernel& kernel)
 {
   const std::size_t blocks = progress.is_observed() ? 20 : 1;
-  const std::size_t block_size = size / blocks + 1;
-  for (std::size_t begin = 0; begin < size; begin += block_size)
+  const std::size_t step = size / blocks + 1;
+  for (std::size_t begin = 0; begin < size; begin += step)
   {
-    const std::size_t end = (std::min)(size, begin + block_size);
+    const std::size_t end = (std::min)(size, begin + step);
     for_each_index<ConcurrencyTag>(begin, end, kernel);
     progress.report(static_cast<double>(end) / static_cast<double>(size));
   }
 }
 
 // Points of a block: long against a task's overhead, short against any input
-constexpr std::size_t block_size = 4096;
+inline constexpr std::size_t block_size = 4096;
 
 // combine(... combine(combine(identity, value(0)), value(1)) ...) over [0, size), associated in
 // blocks of fixed length: rounding is the same for every tag and number of threads.

@@ -55,7 +55,7 @@ std::vector<std::uint8_t> bent_points(const Features& features, std::size_t numb
 
 // In spacings: a strip as wide on both sides of an edge holds 1.3 * 1.15 = 1.5 samples for each spacing of its
 // length, more than the one that it needs. Samples farther away are the first row beside it.
-constexpr double near_edge = 0.65;
+inline constexpr double near_edge = 0.65;
 
 // Whether the fold is more than a detail between the samples: most of the samples nearest to the one at
 // `distance` spacings from the edge are on it, and some on each side.

@@ -58,7 +58,7 @@ inline double checked(const std::string& name, double value, bool is_allowed,
 }
 
 // Of neighbors, all of which are used if there are fewer, and of iterations
-constexpr std::size_t largest_count = (std::numeric_limits<unsigned int>::max)();
+inline constexpr std::size_t largest_count = (std::numeric_limits<unsigned int>::max)();
 
 // Compared before the conversion, so that a negative value is reported and not wrapped around.
 template <typename Value>
@@ -99,8 +99,22 @@ inline std::size_t percentage_of(double percentage, std::size_t number_of_points
   return (std::max)(std::size_t(1), static_cast<std::size_t>(count));
 }
 
+inline std::string count_from(std::size_t minimum)
+{
+  return "an integer from " + std::to_string(minimum) + " to " + std::to_string(largest_count);
+}
+
+// The value of a named parameter as a double
+template <typename NamedParameters, typename Tag>
+double number(const NamedParameters& np, const Tag& tag, double default_value)
+{
+  return CGAL::to_double(
+      parameters::choose_parameter(parameters::get_parameter(np, tag), default_value));
+}
+
+// Those of the selection
 template <typename NamedParameters>
-Parameters read_parameters(const NamedParameters& np, std::size_t number_of_points)
+Parameters read_parameters_of_selection(const NamedParameters& np, std::size_t number_of_points)
 {
   using parameters::choose_parameter;
   using parameters::get_parameter;
@@ -109,14 +123,11 @@ Parameters read_parameters(const NamedParameters& np, std::size_t number_of_poin
   if (number_of_points == 0)
     throw_empty_range();
 
-  const auto number = [&](const auto& tag, double default_value)
-  { return CGAL::to_double(choose_parameter(get_parameter(np, tag), default_value)); };
-
-  Parameters result;
+  Parameters result{};
 
   if (is_default_parameter<NamedParameters, internal_np::number_of_output_points_t>::value)
   {
-    const double percentage = number(internal_np::select_percentage, 5.);
+    const double percentage = number(np, internal_np::select_percentage, 5.);
     checked("select_percentage", percentage, percentage > 0. && percentage <= 100.,
             "above 0 and at most 100");
     result.number_of_output_points = percentage_of(percentage, number_of_points);
@@ -131,34 +142,48 @@ Parameters read_parameters(const NamedParameters& np, std::size_t number_of_poin
   result.number_of_neighbors =
       checked_count("number_of_neighbors",
                     choose_parameter(get_parameter(np, internal_np::number_of_neighbors), 16), 2,
-                    largest_count, "an integer of at least 2");
+                    largest_count, count_from(2));
 
-  const double curvature_weight = number(internal_np::curvature_weight, 0.75);
+  const double curvature_weight = number(np, internal_np::curvature_weight, 0.75);
   result.curvature_weight =
       checked("curvature_weight", curvature_weight,
               curvature_weight >= 0. && curvature_weight <= 1., "from 0 to 1");
 
-  const double adaptivity = number(internal_np::adaptivity, 2. / 3.);
+  const double adaptivity = number(np, internal_np::adaptivity, 2. / 3.);
   result.adaptivity =
       checked("adaptivity", adaptivity, adaptivity >= 0. && adaptivity <= 1., "from 0 to 1");
 
   result.random_seed = static_cast<std::uint64_t>(
       choose_parameter(get_parameter(np, internal_np::random_seed), std::uint64_t(0)));
 
+  result.callback =
+      choose_parameter(get_parameter(np, internal_np::callback), std::function<bool(double)>());
+  return result;
+}
+
+template <typename NamedParameters>
+Parameters read_parameters(const NamedParameters& np, std::size_t number_of_points)
+{
+  using parameters::choose_parameter;
+  using parameters::get_parameter;
+  using parameters::is_default_parameter;
+
+  Parameters result = read_parameters_of_selection(np, number_of_points);
+
   result.number_of_iterations =
       checked_count("number_of_iterations",
                     choose_parameter(get_parameter(np, internal_np::number_of_iterations), 10), 0,
-                    largest_count, "an integer of at least 0");
+                    largest_count, count_from(0));
 
-  const double d = number(internal_np::curvature_dependence, 2.);
+  const double d = number(np, internal_np::curvature_dependence, 2.);
   result.curvature_dependence =
       checked("curvature_dependence", d, d >= 0. && std::isfinite(d), "at least 0 and finite");
 
-  const double mu = number(internal_np::repulsion_weight, 0.45);
+  const double mu = number(np, internal_np::repulsion_weight, 0.45);
   result.repulsion_weight = checked("repulsion_weight", mu, mu >= 0. && mu < 0.5,
                                     "at least 0 and below 0.5, where the iteration converges");
 
-  const double h = number(internal_np::neighbor_radius, 0.);
+  const double h = number(np, internal_np::neighbor_radius, 0.);
   const bool is_derived =
       is_default_parameter<NamedParameters, internal_np::neighbor_radius_t>::value;
   result.neighbor_radius = checked("neighbor_radius", h, is_derived || (h > 0. && std::isfinite(h)),
@@ -170,8 +195,6 @@ Parameters read_parameters(const NamedParameters& np, std::size_t number_of_poin
       choose_parameter(get_parameter(np, internal_np::require_uniform_sampling), false);
   result.settings_of_the_paper =
       choose_parameter(get_parameter(np, internal_np::settings_of_the_paper), false);
-  result.callback =
-      choose_parameter(get_parameter(np, internal_np::callback), std::function<bool(double)>());
   return result;
 }
 

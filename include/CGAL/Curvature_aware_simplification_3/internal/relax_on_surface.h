@@ -71,7 +71,7 @@ inline void move_on_surface(Surface_sample& x, Vector step, const Surface_fit& f
   if (length > 0.5 * x.spacing) // further, and neighbors could pass each other
     step = step * (0.5 * x.spacing / length);
   double a = x.a + step * x.surface.u, b = x.b + step * x.surface.v;
-  x.border.restrict(a, b);
+  x.border.move_back(a, b);
   const double distance = std::sqrt(a * a + b * b);
   if (distance <= trusted * x.surface.radius)
   {

@@ -22,7 +22,7 @@ namespace internal {
 
 // The default of h: the ball around a sample holds two rings of others. CGAL's manual of WLOP asks for
 // at least that, and theta lets more have no effect.
-constexpr double radius_in_spacings = 2.;
+inline constexpr double radius_in_spacings = 2.;
 
 // Typical distance that the samples will have when they are spread evenly; 0 if there are no two
 // distinct ones.

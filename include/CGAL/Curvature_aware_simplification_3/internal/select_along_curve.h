@@ -6,10 +6,10 @@
 #ifndef CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_SELECT_ALONG_CURVE_H
 #define CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_SELECT_ALONG_CURVE_H
 
+#include <CGAL/Curvature_aware_simplification_3/internal/Counter_based_random.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Curve_ranges.h>
-#include <CGAL/Curvature_aware_simplification_3/internal/counter_based_random.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/loops.h>
-#include <CGAL/Curvature_aware_simplification_3/internal/scan.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/prefix_sums.h>
 
 #include <CGAL/assertions.h>
 

@@ -7,11 +7,11 @@
 #define CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_SELECT_POINTS_H
 
 #include <CGAL/Curvature_aware_simplification_3/internal/Cloud.h>
-#include <CGAL/Curvature_aware_simplification_3/internal/counter_based_random.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/Counter_based_random.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/features.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/loops.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/parameters.h>
-#include <CGAL/Curvature_aware_simplification_3/internal/scan.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/prefix_sums.h>
 
 #include <algorithm>
 #include <cstddef>

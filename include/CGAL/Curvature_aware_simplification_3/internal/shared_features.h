@@ -25,11 +25,11 @@ namespace internal {
 
 // kappa of a fold of 45 degrees, and less than a tenth of that of points spread evenly in space: what is next to
 // edges, noise and outliers are not flat.
-constexpr double largest_curvature_of_flat_points = 0.02;
+inline constexpr double largest_curvature_of_flat_points = 0.02;
 
 // kappa of points spread evenly in space: 0.17 on average for k = 16, and 97 % are above 0.07; that of a surface
 // is, by Gaussian noise as large as the neighborhood, about 0.1 as well.
-constexpr double least_curvature_of_volumes = 0.07;
+inline constexpr double least_curvature_of_volumes = 0.07;
 
 // Features of which a point may have those of one nearby, its representative: where the neighborhood of
 // a point is flat, those in its inner half see the same, and need not have their neighbors looked up.
@@ -68,7 +68,7 @@ Shared_features compute_shared_features(const Cloud& cloud, const Neighbor_searc
   constexpr double inner_half = 0.5;
   // Points share within blocks of so many along the Hilbert curve only, one after the other, so that
   // the result does not depend on threads. Few neighborhoods meet the border of such a block.
-  constexpr std::size_t block_size = 1024;
+  constexpr std::size_t sharing_block = 1024;
   constexpr std::uint8_t most = (std::numeric_limits<std::uint8_t>::max)();
 
   struct Neighbor
@@ -91,11 +91,11 @@ Shared_features compute_shared_features(const Cloud& cloud, const Neighbor_searc
 
   std::vector<std::uint8_t> is_done(n, 0);
   std::vector<std::atomic<std::uint32_t>> votes(n); // sums of integers: the order does not matter
-  for_each_index<ConcurrencyTag>((n + block_size - 1) / block_size, progress,
+  for_each_index<ConcurrencyTag>((n + sharing_block - 1) / sharing_block, progress,
                                  [&](std::size_t block)
                                  {
     static thread_local std::vector<Neighbor> neighbors;
-    const std::size_t begin = block * block_size, end = (std::min)(n, begin + block_size);
+    const std::size_t begin = block * sharing_block, end = (std::min)(n, begin + sharing_block);
     for (std::size_t i = begin; i < end; ++i)
     {
       if (is_done[i] != 0)
@@ -128,11 +128,11 @@ Shared_features compute_shared_features(const Cloud& cloud, const Neighbor_searc
   });
 
   // Far from all others, an outlier and its neighbors may happen to be flat: there, each speaks for itself.
-  const double far = far_inverse_density(shared.features.inverse_density);
+  const double sparse = far_inverse_density(shared.features.inverse_density);
   for_each_index<ConcurrencyTag>(0, n,
                                  [&](std::size_t i)
                                  {
-    if (represented[i] == 0 && shared.features.inverse_density[i] > far)
+    if (represented[i] == 0 && shared.features.inverse_density[i] > sparse)
       assign(i, local_features<DiagonalizeTraits>(search, cloud.points[i], size,
                                                   cloud.coordinate_error));
     shared.votes[i] = votes[i].load(std::memory_order_relaxed) - represented[i]; // not its own

@@ -18,10 +18,10 @@
 #include <CGAL/Curvature_aware_simplification_3/internal/move_to_edges.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/move_to_targets.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/parameters.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/prefix_sums.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/relax_on_surface.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/remove_outliers.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/sampling_density.h>
-#include <CGAL/Curvature_aware_simplification_3/internal/scan.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/select_along_curve.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/select_points.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/shared_features.h>
@@ -32,6 +32,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -145,11 +146,11 @@ Distinct_samples simplify_adaptively(Cloud cloud, std::unique_ptr<Neighbor_searc
   }
   if (settings.move_to_corners)
     move_to_corners<ConcurrencyTag>(samples, neighbors, fit, progress.part(0.99, 1.));
-  const std::vector<Point> result = points_of<ConcurrencyTag>(samples);
+  std::vector<Point> result = points_of<ConcurrencyTag>(samples);
   report.projection_time = stopwatch.lap();
 
   report.output_spacing = cloud.frame.length_from_frame(mean_spacing);
-  return {result, std::vector<std::size_t>(result.size(), 1)};
+  return {std::move(result), std::vector<std::size_t>(number_of_samples, 1)};
 }
 
 } // namespace internal

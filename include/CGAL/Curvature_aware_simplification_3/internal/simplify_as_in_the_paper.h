@@ -17,8 +17,6 @@
 
 #include <CGAL/Curvature_aware_simplification_report.h>
 
-#include <limits>
-
 namespace CGAL {
 namespace Curvature_aware_simplification_3 {
 namespace internal {
@@ -44,7 +42,7 @@ Distinct_samples simplify_as_in_the_paper(const Cloud& cloud, const Neighbor_sea
                        ? cloud.frame.length_to_frame(parameters.neighbor_radius)
                        : radius_in_spacings * spacing;
   // A ball smaller than the rounding error of the coordinates holds nothing but its center.
-  if (h > std::numeric_limits<double>::epsilon())
+  if (h > cloud.coordinate_error)
     samples.points = relax_repeatedly<ConcurrencyTag, DiagonalizeTraits>(
         samples.points, cloud, search, features, h, parameters, progress.part(0.5, 1.));
   report.relaxation_time = stopwatch.lap();

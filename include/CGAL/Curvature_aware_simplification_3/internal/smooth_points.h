@@ -25,8 +25,8 @@ namespace internal {
 // The neighbors of a point by which it is smoothed: 24, four for each coefficient of a quadric, or all
 // within so many sigma. A much narrower ball around a noisy point sees no layer; from 2.5 to 5, the
 // results are the same.
-constexpr std::size_t smoothing_neighborhood = 25;
-constexpr double smoothing_radius_in_noise = 4.;
+inline constexpr std::size_t smoothing_neighborhood = 25;
+inline constexpr double smoothing_radius_in_noise = 4.;
 
 // A point on the surface, and the variance of its distance to it
 struct Smoothed_point

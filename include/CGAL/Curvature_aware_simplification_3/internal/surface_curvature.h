@@ -40,7 +40,7 @@ struct Surface_curvature
 // Of means of the curvature: a few large values do not decide them. It is that of the default alpha, and
 // not alpha itself, for which the bound from below would vanish with alpha: then flat parts would get
 // less of a density that is nearly uniform.
-constexpr double order_of_mean = 2. / 3.;
+inline constexpr double order_of_mean = 2. / 3.;
 
 // The curvature at the distance of the samples, by how far the points of a ball are off a plane: in balls
 // with a radius R of 1.5 spacings, it is sqrt(lambda_0) / R^2 up to a constant. From lambda_0, sigma^2 is taken
@@ -80,8 +80,10 @@ Surface_curvature surface_curvature(const std::vector<Point>& points,
     const double points_in_piece =
         static_cast<double>(ranges.size(i)) / static_cast<double>(pieces_in_range);
     const double radius = (std::max)(settings.curvature_radius * spacing, 3. * sigma[i]);
-    const double wanted = (std::max)({CGAL_PI * radius * radius * pieces_per_area, fewest_pieces,
-                                      fewest_points / points_in_piece});
+    // an area may vanish where squares of coordinates underflow
+    const double wanted = radius > 0. ? (std::max)({CGAL_PI * radius * radius * pieces_per_area,
+                                                    fewest_pieces, fewest_points / points_in_piece})
+                                      : fewest_pieces;
     pieces_in_ball[i] =
         (std::min)(static_cast<std::size_t>((std::min)(wanted, most_pieces)), pieces.size());
   });

@@ -3,8 +3,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_SCAN_H
-#define CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_SCAN_H
+#ifndef CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_PREFIX_SUMS_H
+#define CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_PREFIX_SUMS_H
 
 #include <CGAL/Curvature_aware_simplification_3/internal/loops.h>
 
@@ -83,4 +83,4 @@ void sum_up(std::vector<double>& values)
 } // namespace Curvature_aware_simplification_3
 } // namespace CGAL
 
-#endif // CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_SCAN_H
+#endif // CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_PREFIX_SUMS_H

@@ -3,11 +3,11 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_FIT_TWO_PLANES_H
-#define CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_FIT_TWO_PLANES_H
+#ifndef CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_TWO_PLANES_H
+#define CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_TWO_PLANES_H
 
+#include <CGAL/Curvature_aware_simplification_3/internal/Counter_based_random.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Neighborhood.h>
-#include <CGAL/Curvature_aware_simplification_3/internal/counter_based_random.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/fit_quadric.h>
 
 #include <algorithm>
@@ -164,4 +164,4 @@ inline bool two_planes(const std::vector<Vector>& points, double tolerance, Fold
 } // namespace Curvature_aware_simplification_3
 } // namespace CGAL
 
-#endif // CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_FIT_TWO_PLANES_H
+#endif // CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_TWO_PLANES_H
