@@ -6,7 +6,7 @@ import math
 from comparison import Case, in_words
 from page import write_table
 
-DEGRADATIONS = ["clean", "sparse", "noise:0.2", "outliers:5", "density:10", "uneven_noise:0.2",
+DEGRADATIONS = ["clean", "sparse", "noise:0.2", "outliers:5", "clusters:5", "density:10", "uneven_noise:0.2",
                 "scan lines"]
 IDEAS = [
     ("uniform density", "adaptivity=0"),
@@ -24,6 +24,7 @@ IDEAS = [
     ("first steps no longer than the last", "length_of_first_steps=1"),
     ("samples may cross borders", "keep_borders=0"),
     ("outliers not looked for", "find_outliers=0"),
+    ("clusters not taken for outliers", "find_clusters=0"),
     ("noise not measured", "measure_noise=0"),
     ("the same noise everywhere", "noise_by_place=0"),
     ("noise measured around quadrics only", "noise_around_planes=0"),

@@ -230,6 +230,7 @@ Setting with_parameters(const std::string& parameters)
   set("least_weight_of_neighbors", settings.least_weight_of_neighbors);
   set("keep_borders", settings.keep_borders);
   set("widen_between_lines", settings.widen_between_lines);
+  set("find_clusters", settings.find_clusters);
   set("moves_to_foot_point", settings.moves_to_foot_point);
   set("denoise", settings.denoise);
   set("points_of_widest_fit", settings.points_of_widest_fit);

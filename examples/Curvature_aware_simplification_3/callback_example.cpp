@@ -1,9 +1,11 @@
 // A progress bar, and a computation that is cancelled half-way: nothing is written then.
 
+#include <CGAL/Random.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/curvature_aware_simplify_point_set.h>
 #include <CGAL/point_generators_3.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <iostream>
 #include <iterator>

@@ -1,9 +1,11 @@
 // Simplifies a point set to 5 % of its points with the defaults.
 
+#include <CGAL/Random.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/curvature_aware_simplify_point_set.h>
 #include <CGAL/point_generators_3.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <iostream>
 #include <iterator>

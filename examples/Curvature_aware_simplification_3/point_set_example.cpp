@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cstdlib>
 #include <iostream>
+#include <string>
 
 using Kernel = CGAL::Simple_cartesian<double>;
 using Point_set = CGAL::Point_set_3<Kernel::Point_3>;

@@ -1,13 +1,15 @@
 // Points with colors and normals: the random simplification returns elements of the input, with all
 // that they carry. The relaxed simplification returns new points, and takes the same property map.
 
+#include <CGAL/Random.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/curvature_aware_random_simplify_point_set.h>
 #include <CGAL/curvature_aware_simplify_point_set.h>
-#include <CGAL/point_generators_3.h>
+#include <CGAL/number_type_config.h>
 #include <CGAL/property_map.h>
 
 #include <array>
+#include <cmath>
 #include <cstdlib>
 #include <iostream>
 #include <iterator>
@@ -48,7 +50,7 @@ int main()
 
   std::vector<Point> relaxed;
   CGAL::curvature_aware_simplify_point_set<Concurrency_tag>(points, std::back_inserter(relaxed),
-                                                            parameters.curvature_dependence(1.));
+                                                            parameters.adaptivity(1.));
   std::cout << "of the relaxed points, the first is " << relaxed.front() << std::endl;
   return EXIT_SUCCESS;
 }

@@ -114,10 +114,14 @@ std::optional<Options> read_options(int argc, char* argv[])
       options.count = values["count"].as<long long>();
     if (values.count("radius") != 0)
       options.radius = values["radius"].as<double>();
-    for (const char* name : {"curvature-weight", "curvature-dependence", "radius"})
-      if (values.count(name) != 0 && !values[name].defaulted() && !options.settings_of_the_paper &&
-          !options.subset)
-        throw Error(std::string("--") + name + " needs --paper; see simplify_point_set --help");
+    const auto is_given = [&](const char* name)
+    { return values.count(name) != 0 && !values[name].defaulted(); };
+    if (is_given("curvature-weight") && !options.settings_of_the_paper && !options.subset)
+      throw Error("--curvature-weight needs --paper or --subset; see simplify_point_set --help");
+    for (const char* name : {"curvature-dependence", "radius"})
+      if (is_given(name) && (!options.settings_of_the_paper || options.subset))
+        throw Error(std::string("--") + name +
+                    " needs --paper without --subset; see simplify_point_set --help");
   }
   catch (const po::error& error)
   {
@@ -128,7 +132,8 @@ std::optional<Options> read_options(int argc, char* argv[])
 
 std::string extension(const std::string& filename)
 {
-  return CGAL::IO::internal::get_file_extension(filename);
+  const std::string with_point = fs::path(filename).extension().string();
+  return with_point.empty() ? with_point : with_point.substr(1);
 }
 
 bool is_supported(const std::string& extension)

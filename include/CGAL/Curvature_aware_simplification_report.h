@@ -16,7 +16,7 @@ namespace CGAL {
 \brief What `CGAL::curvature_aware_simplify_point_set()` found in its input and did.
 
 Pass an object with the named parameter `simplification_report`, wrapped in `std::ref`. It is filled
-when the function succeeds. What is not measured is 0: if all distinct points are returned as they are,
+when the function succeeds. What is not measured is 0: if all distinct points are returned,
 that is the spacing, the outliers and the noise. Lengths are in the unit of the input, times in seconds
 of wall time.
 */
@@ -38,7 +38,7 @@ struct Curvature_aware_simplification_report
   /// measurement, unless the settings of the paper are used
   double maximum_surface_variation = 0.;
 
-  /// number of distinct input points that were taken for outliers; they have no influence
+  /// number of distinct input points that were taken for outliers and left out
   std::size_t number_of_outliers = 0;
   /// standard deviation of the distance of the other input points to the surface, as estimated: the median
   /// over the points, where it differs by place

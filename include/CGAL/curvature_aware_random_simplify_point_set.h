@@ -24,11 +24,11 @@ namespace CGAL {
 /*!
 \ingroup PkgCurvatureAwareSimplification3Algorithms
 
-\brief selects a random subset of a point set that is denser where the surface bends and does not
-follow the density of the input.
+\brief selects a random subset of a point set that is denser where the surface bends, and evens out
+the density of the input in part.
 
 This is the stochastic selection of \cgalCite{cgal:curvature-aware-simplification} (section 4.1), the
-first stage of `CGAL::curvature_aware_simplify_point_set()`, by itself. It returns elements of the
+first stage of `CGAL::curvature_aware_simplify_point_set()` with `settings_of_the_paper(true)`, by itself. It returns elements of the
 input, hence keeps every attribute that they carry: normals, colors, intensities, labels. Nothing is
 moved, so noise and outliers stay what they are.
 
@@ -46,8 +46,9 @@ The complexity is \f$O(M (\log M + k))\f$.
 
 \tparam ConcurrencyTag enables sequential versus parallel algorithm. Possible values are
         `Sequential_tag`, `Parallel_tag`, and `Parallel_if_available_tag`. The result is the same.
-\tparam PointRange is a model of `ConstRange`. The value type of its iterator is the key type of the
-        named parameter `point_map`.
+\tparam PointRange is a model of `ConstRange` that has the nested type `iterator` as well, as containers and
+        `CGAL::Iterator_range` do. The value type of its iterator is the key type of the named parameter
+        `point_map`.
 \tparam OutputIterator is a model of `OutputIterator` that accepts objects of the value type of the
         iterator of `PointRange`.
 
@@ -83,8 +84,8 @@ The complexity is \f$O(M (\log M + k))\f$.
                           of the inverse density is \f$w_\rho = 1 - w_\kappa\f$}
     \cgalParamType{floating scalar value from 0 to 1}
     \cgalParamDefault{`0.75`}
-    \cgalParamExtra{With 0, the selection makes up for an uneven density of the input and knows no
-                    curvature.}
+    \cgalParamExtra{With 0, the selection knows no curvature. With `adaptivity(1)` as well, it makes up for
+                    an uneven density of the input: where points are twice as dense, each is half as likely.}
   \cgalParamNEnd
 
   \cgalParamNBegin{adaptivity}
@@ -97,7 +98,7 @@ The complexity is \f$O(M (\log M + k))\f$.
   \cgalParamNBegin{number_of_neighbors}
     \cgalParamDescription{the number \f$k\f$ of neighbors from which surface variation and density
                           are computed, the point itself not counted}
-    \cgalParamType{an integer of at least 2}
+    \cgalParamType{an integer from 2 to 4294967295}
     \cgalParamDefault{`16`}
     \cgalParamExtra{More neighbors make the estimates robust against noise, and blind to details
                     smaller than the neighborhood.}
@@ -126,16 +127,18 @@ The complexity is \f$O(M (\log M + k))\f$.
   \cgalParamNEnd
 
   \cgalParamNBegin{diagonalize_traits}
-    \cgalParamDescription{the solver that diagonalizes the covariance matrices}
+    \cgalParamDescription{the solver that diagonalizes the covariance matrices of which the surface variation is
+                          computed}
     \cgalParamType{a class model of `DiagonalizeTraits` with number type `double` and dimension 3}
-    \cgalParamDefault{`CGAL::Default_diagonalize_traits<double, 3>`, which needs \ref thirdpartyEigen}
+    \cgalParamDefault{`CGAL::Default_diagonalize_traits<double, 3>`}
   \cgalParamNEnd
 \cgalNamedParamsEnd
 
 \return the iterator behind the last element written
 
 \throws std::invalid_argument if `points` is empty, a coordinate is not finite (the message tells the
-        index of the first such point), or a parameter is out of its range (the message tells its
+        index of the first such point), points are more than 1e140 times as far from most others as these
+        are from each other (as if the largest `double` stood for a missing measurement), or a parameter is out of its range (the message tells its
         name, its value and what is allowed); nothing is written then
 
 \sa `CGAL::curvature_aware_simplify_point_set()`

@@ -24,9 +24,10 @@ to tune. This is the curvature-aware simplification of \cgalCite{cgal:curvature-
 a locally optimal projection started from a curvature-aware random selection, made to adapt to its
 input:
 
--# Outliers are found: points that few others have among their \f$k\f$ nearest neighbors, and that are
-   in no layer. They have no influence on what follows, unless fewer than \f$N\f$ points, or than half
-   of them, would be left: then none are taken for outliers.
+-# Outliers are found: points that few others have among their \f$k\f$ nearest neighbors, points that are
+   far from others and in no layer, and small clusters apart from all else that are as thick as wide. They are
+   left out of what follows, unless fewer than \f$N\f$ points, or than half of them, would be left: then
+   none are taken for outliers.
 -# The standard deviation \f$\sigma\f$ of the noise is estimated, by place, from what local quadrics
    leave. Where it is visible at the distance of the output points, the points are first smoothed, each by
    a fit to its nearest.
@@ -48,7 +49,8 @@ points (but for which duplicates are returned, if more points are asked for than
 the same, bit by bit, for the same input and seed, whatever the concurrency tag and the
 number of threads. The input is neither changed nor reordered. With \f$M\f$ input and \f$N\f$ output
 points, the time is \f$O(M (\log M + k) + i N \log M)\f$ for \f$i\f$ iterations, the memory
-\f$O(M)\f$.
+\f$O(M)\f$; with the settings of the paper and \f$n\f$ points in a ball of the radius \f$h\f$, the time is
+\f$O(M (\log M + k) + i N (\log M + n))\f$, and with `require_uniform_sampling` \f$O(M n)\f$ more.
 
 <b>The settings of the paper</b> are available with `settings_of_the_paper(true)`. Then,
 
@@ -76,8 +78,9 @@ input then, so that a permutation of the input gives another selection.
 
 \tparam ConcurrencyTag enables sequential versus parallel algorithm. Possible values are
         `Sequential_tag`, `Parallel_tag`, and `Parallel_if_available_tag`. The result is the same.
-\tparam PointRange is a model of `ConstRange`. The value type of its iterator is the key type of the
-        named parameter `point_map`.
+\tparam PointRange is a model of `ConstRange` that has the nested type `iterator` as well, as containers and
+        `CGAL::Iterator_range` do. The value type of its iterator is the key type of the named parameter
+        `point_map`.
 \tparam OutputIterator is a model of `OutputIterator` that accepts objects of type
         `geom_traits::Point_3`.
 
@@ -107,8 +110,9 @@ input then, so that a permutation of the input gives another selection.
     \cgalParamDescription{number of points to return; if it is given, `select_percentage` is ignored}
     \cgalParamType{an integer from 1 to the number of input points}
     \cgalParamDefault{unused}
-    \cgalParamExtra{If as many as all distinct points are asked for, these are returned as they are:
-                    there is nothing to choose. With the settings of the paper, they are moved.}
+    \cgalParamExtra{If as many as all distinct points are asked for, these are returned, equal up to
+                    the rounding of their coordinates: there is nothing to choose. With the settings of the
+                    paper, they are moved.}
   \cgalParamNEnd
 
   \cgalParamNBegin{adaptivity}
@@ -124,7 +128,7 @@ input then, so that a permutation of the input gives another selection.
 
   \cgalParamNBegin{number_of_iterations}
     \cgalParamDescription{largest number of iterations of the relaxation}
-    \cgalParamType{an integer of at least 0}
+    \cgalParamType{an integer from 0 to 4294967295}
     \cgalParamDefault{`10`}
     \cgalParamExtra{More iterations give a more regular result but increase the running time. The
                     relaxation ends earlier when samples rest: when they move by less than a
@@ -144,7 +148,7 @@ input then, so that a permutation of the input gives another selection.
     \cgalParamDescription{the number \f$k\f$ of neighbors, the point itself not counted, by which
                           outliers are found, and the density of the input and its surface variation are
                           computed}
-    \cgalParamType{an integer of at least 2}
+    \cgalParamType{an integer from 2 to 4294967295}
     \cgalParamDefault{`16`}
     \cgalParamExtra{More neighbors find clusters of up to about a quarter as many outliers, and make the
                     surface variation robust against noise and blind to details smaller than the
@@ -166,25 +170,25 @@ input then, so that a permutation of the input gives another selection.
                           \f$w_\rho = 1 - w_\kappa\f$}
     \cgalParamType{floating scalar value from 0 to 1}
     \cgalParamDefault{`0.75`}
-    \cgalParamExtra{With 0, the selection makes up for an uneven density of the input and knows no
-                    curvature.}
+    \cgalParamExtra{With 0, the selection knows no curvature. With `adaptivity(1)` as well, it makes up for
+                    an uneven density of the input.}
   \cgalParamNEnd
 
   \cgalParamNBegin{curvature_dependence}
     \cgalParamDescription{with the settings of the paper, how strongly the relaxation gathers samples
                           where the surface bends: the exponent \f$d\f$ of \f$\phi_1\f$ and
                           \f$\phi_2\f$}
-    \cgalParamType{floating scalar value, at least 0}
+    \cgalParamType{floating scalar value, at least 0 and finite}
     \cgalParamDefault{`2`}
     \cgalParamExtra{With 0, the relaxation knows no curvature and spreads the samples uniformly.
-                    Together with `adaptivity(0)`, this is the classical LOP.}
+                    Together with `adaptivity(0)`, this is LOP with the repulsion of \cgalCite{wlop-2009}.}
   \cgalParamNEnd
 
   \cgalParamNBegin{neighbor_radius}
     \cgalParamDescription{with the settings of the paper, the radius \f$h\f$ of the ball in which input
                           points attract and other samples repel a sample, in the unit of the
                           coordinates}
-    \cgalParamType{floating scalar value, above 0}
+    \cgalParamType{floating scalar value, above 0 and finite}
     \cgalParamDefault{twice the spacing of the selected points, so that the ball holds two rings of
                       them}
     \cgalParamExtra{A larger radius removes more noise and detail and takes more time.}
@@ -196,7 +200,8 @@ input then, so that a permutation of the input gives another selection.
                           input of very uneven density}
     \cgalParamType{Boolean}
     \cgalParamDefault{`false`}
-    \cgalParamExtra{Takes a ball query more for each input point.}
+    \cgalParamExtra{Takes a ball query more for each input point, and one for each sample and
+                    iteration.}
   \cgalParamNEnd
 
   \cgalParamNBegin{recompute_curvature}
@@ -238,16 +243,18 @@ input then, so that a permutation of the input gives another selection.
   \cgalParamNEnd
 
   \cgalParamNBegin{diagonalize_traits}
-    \cgalParamDescription{the solver that diagonalizes the covariance matrices}
+    \cgalParamDescription{the solver that diagonalizes the covariance matrices of which the surface variation is
+                          computed}
     \cgalParamType{a class model of `DiagonalizeTraits` with number type `double` and dimension 3}
-    \cgalParamDefault{`CGAL::Default_diagonalize_traits<double, 3>`, which needs \ref thirdpartyEigen}
+    \cgalParamDefault{`CGAL::Default_diagonalize_traits<double, 3>`}
   \cgalParamNEnd
 \cgalNamedParamsEnd
 
 \return the iterator behind the last point written
 
 \throws std::invalid_argument if `points` is empty, a coordinate is not finite (the message tells the
-        index of the first such point), or a parameter is out of its range (the message tells its
+        index of the first such point), points are more than 1e140 times as far from most others as these
+        are from each other (as if the largest `double` stood for a missing measurement), or a parameter is out of its range (the message tells its
         name, its value and what is allowed); nothing is written then
 
 \sa `CGAL::wlop_simplify_and_regularize_point_set()`

@@ -42,13 +42,14 @@ The complexity is \f$O(n (\log n + k))\f$ for \f$n\f$ points.
 
 \tparam ConcurrencyTag enables sequential versus parallel algorithm. Possible values are
         `Sequential_tag`, `Parallel_tag`, and `Parallel_if_available_tag`. The result is the same.
-\tparam PointRange is a model of `ConstRange`. The value type of its iterator is the key type of the
-        named parameter `point_map`.
+\tparam PointRange is a model of `ConstRange` that has the nested type `iterator` as well, as containers and
+        `CGAL::Iterator_range` do. The value type of its iterator is the key type of the named parameter
+        `point_map`.
 \tparam SurfaceVariationMap is a model of `WritablePropertyMap` whose key type is the value type of
         the iterator of `PointRange` and to whose value type `double` converts.
 
-\param points input point range, of which nothing but the surface variation map is written
-\param k number of neighbors of a neighborhood, the point itself not counted, at least 2. If there
+\param points input point range, an lvalue, of which nothing but the surface variation map is written
+\param k number of neighbors of a neighborhood, the point itself not counted, from 2 to 4294967295. If there
        are fewer distinct points, all of them are used.
 \param surface_variation_map a property map that receives the surface variation of each point; it is
        written after the last value is known, on the calling thread, in the order of the range
@@ -80,16 +81,18 @@ The complexity is \f$O(n (\log n + k))\f$ for \f$n\f$ points.
   \cgalParamNEnd
 
   \cgalParamNBegin{diagonalize_traits}
-    \cgalParamDescription{the solver that diagonalizes the covariance matrices}
+    \cgalParamDescription{the solver that diagonalizes the covariance matrices of which the surface variation is
+                          computed}
     \cgalParamType{a class model of `DiagonalizeTraits` with number type `double` and dimension 3}
-    \cgalParamDefault{`CGAL::Default_diagonalize_traits<double, 3>`, which needs \ref thirdpartyEigen}
+    \cgalParamDefault{`CGAL::Default_diagonalize_traits<double, 3>`}
   \cgalParamNEnd
 \cgalNamedParamsEnd
 
 \return `true`, or `false` if the callback stopped the computation
 
 \throws std::invalid_argument if `points` is empty, a coordinate is not finite (the message tells the
-        index of the first such point), or `k` is below 2; nothing is written then
+        index of the first such point), points are more than 1e140 times as far from most others as these
+        are from each other, or `k` is below 2 or above 4294967295; nothing is written then
 */
 template <typename ConcurrencyTag, typename PointRange, typename SurfaceVariationMap,
           typename NamedParameters = parameters::Default_named_parameters>

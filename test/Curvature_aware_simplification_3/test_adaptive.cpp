@@ -798,7 +798,8 @@ TEST(Shared_features, are_the_same_for_every_tag)
 std::vector<std::uint8_t> outliers_of(const Cloud& cloud)
 {
   const Neighbor_search search(cloud.points, Tag());
-  return find_outliers<Tag>(cloud, search, shared_features_of(cloud, search), 16);
+  return find_outliers<Tag>(cloud, search, shared_features_of(cloud, search), 16,
+                            Adaptive_settings());
 }
 
 struct Smoothed
@@ -1075,7 +1076,7 @@ TEST(Outliers, are_no_neighbors_once_they_are_removed)
     const std::vector<Point> all = cloud.points;
     std::unique_ptr<Neighbor_search> search(new Neighbor_search(all, Tag()));
     Shared_features shared = shared_features_of(cloud, *search);
-    remove_outliers<Tag>(cloud, search, shared, 16, 100);
+    remove_outliers<Tag>(cloud, search, shared, 16, 100, Adaptive_settings());
     EXPECT_LT(cloud.size(), all.size());
     EXPECT_GT(cloud.size(), 19900u);
     EXPECT_EQ(shared.features.curvature.size(), cloud.size());

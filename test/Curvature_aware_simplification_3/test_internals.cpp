@@ -427,6 +427,20 @@ TEST(Box_of_most_points, leaves_out_what_is_far_only)
   EXPECT_EQ(box_of().xmax(), 500.);
 }
 
+TEST(Box_of_most_points, does_not_depend_on_the_order)
+{
+  CGAL::Random random(26);
+  std::vector<Point> points;
+  for (int i = 0; i < 20000; ++i) // nearly one in twenty is far
+    points.emplace_back(random.uniform_real(0., 1.) + (i < 960 ? 500. : 0.), 0., 0.);
+  const CGAL::Bbox_3 box = CGAL::bbox_3(points.begin(), points.end());
+  for (int i = 0; i < 50; ++i)
+  {
+    CGAL::cpp98::random_shuffle(points.begin(), points.end(), random);
+    EXPECT_LT(box_of_most_points(points, box).xmax(), 3.);
+  }
+}
+
 TEST(Frame, has_a_diagonal_near_one_for_any_unit)
 {
   for (double scale : {1e-320, 1e-300, 1e-6, 1., 1e6, 1e300})

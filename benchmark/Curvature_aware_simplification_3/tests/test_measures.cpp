@@ -84,6 +84,17 @@ TEST(Degradations, do_what_they_say)
   EXPECT_NEAR(std::sqrt(right) / (0.002 * unit), 0.2 + 1.6 * 0.95, 0.08);
 
   EXPECT_EQ(degraded(points, "outliers:5", 1).size(), 21000u);
+  const Points clusters = degraded(points, "clusters:5", 1);
+  EXPECT_GE(clusters.size(), 21000u);
+  EXPECT_LT(clusters.size(), 21060u);
+  std::size_t alone = 0;
+  for (std::size_t i = 20002; i + 2 < clusters.size(); ++i)
+  {
+    const auto is_near = [&](std::size_t j)
+    { return std::sqrt(CGAL::squared_distance(clusters[i], clusters[j])) < 0.05 * unit; };
+    alone += is_near(i - 1) || is_near(i + 1) ? 0u : 1u;
+  }
+  EXPECT_EQ(alone, 0u);
   EXPECT_EQ(degraded(points, "duplicates:50", 1).size(), 30000u);
 
   const Points falling = degraded(points, "density:10", 1);

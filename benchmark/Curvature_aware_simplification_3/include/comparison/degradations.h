@@ -52,22 +52,42 @@ inline Points with_uneven_noise(Points points, double sigma, CGAL::Random& rando
   return points;
 }
 
-// A noise of 0.05 %, and `share` times the number of points more, uniform in the bounding box grown
-// by 5 % of its extent on every side
+// uniform in the box grown by 5 % of its extent on every side
+inline Point random_point_around(const CGAL::Bbox_3& box, CGAL::Random& random)
+{
+  double c[3];
+  for (int j = 0; j < 3; ++j)
+  {
+    const double margin = 0.05 * (box.max(j) - box.min(j));
+    c[j] = random.uniform_real(box.min(j) - margin, box.max(j) + margin);
+  }
+  return Point(c[0], c[1], c[2]);
+}
+
+// A noise of 0.05 %, and `share` times the number of points more, anywhere
 inline Points with_outliers(const Points& points, double share, CGAL::Random& random)
 {
   const CGAL::Bbox_3 box = CGAL::bbox_3(points.begin(), points.end());
   Points result = with_noise(points, 0.0005, random);
   const double count = share * static_cast<double>(points.size());
   for (double i = 0.; i < count; i += 1.)
+    result.push_back(random_point_around(box, random));
+  return result;
+}
+
+// A noise of 0.05 %, and `share` times the number of points more, in clusters of 5 to 59 normally distributed ones,
+// as matching photographs leaves in the air
+inline Points with_clusters(const Points& points, double share, CGAL::Random& random)
+{
+  const CGAL::Bbox_3 box = CGAL::bbox_3(points.begin(), points.end());
+  const double sigma = 0.005 * diagonal(points);
+  Points result = with_noise(points, 0.0005, random);
+  const double count = static_cast<double>(points.size()) * (1. + share);
+  while (static_cast<double>(result.size()) < count)
   {
-    double c[3];
-    for (int j = 0; j < 3; ++j)
-    {
-      const double margin = 0.05 * (box.max(j) - box.min(j));
-      c[j] = random.uniform_real(box.min(j) - margin, box.max(j) + margin);
-    }
-    result.emplace_back(c[0], c[1], c[2]);
+    const Point center = random_point_around(box, random);
+    for (int left = random.get_int(5, 60); left > 0; --left)
+      result.push_back(center + sigma * normal_vector(random));
   }
   return result;
 }
@@ -144,8 +164,8 @@ inline Points with_shift(Points points, double distance, CGAL::Random& random)
   return points;
 }
 
-// By name: clean, noise:PERCENT, uneven_noise:PERCENT, outliers:PERCENT, density:FACTOR, hole:PERCENT,
-// duplicates:PERCENT, lines:PERCENT, rounding:PERCENT, shift:PERCENT, or several of them one after the
+// By name: clean, noise:PERCENT, uneven_noise:PERCENT, outliers:PERCENT, clusters:PERCENT, density:FACTOR,
+// hole:PERCENT, duplicates:PERCENT, lines:PERCENT, rounding:PERCENT, shift:PERCENT, or several of them one after the
 // other, as in density:10+noise:0.2
 inline Points degraded(const Points& points, const std::string& degradation, unsigned int seed)
 {
@@ -165,6 +185,8 @@ inline Points degraded(const Points& points, const std::string& degradation, uns
     return with_uneven_noise(points, value / 100., random);
   if (name == "outliers")
     return with_outliers(points, value / 100., random);
+  if (name == "clusters")
+    return with_clusters(points, value / 100., random);
   if (name == "density")
     return with_falling_density(points, value, random);
   if (name == "hole")

@@ -18,6 +18,8 @@ struct Adaptive_settings
 {
   // Outliers get no weight, noise is measured; without, there is taken to be none.
   bool find_outliers = true;
+  // Isolated clusters are outliers as well.
+  bool find_clusters = true;
   bool measure_noise = true;
   // Each range of the Hilbert curve has the noise of its place; without, all have the median.
   bool noise_by_place = true;

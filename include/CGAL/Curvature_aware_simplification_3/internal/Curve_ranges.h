@@ -19,10 +19,11 @@ struct Curve_ranges
   std::size_t number;
   std::size_t number_of_points;
 
-  // The range that first_point() starts at the point or before. The quotient is exact but for rounding, and
-  // the product of two integers might not be one of 64 bits.
+  // point * number / number_of_points rounded down, where that product may have more than 64 bits
   std::size_t range_of(std::size_t point) const
   {
+    if (number_of_points >> 32 == 0)
+      return point * number / number_of_points;
     auto range = static_cast<std::size_t>(
         static_cast<double>(point) *
         (static_cast<double>(number) / static_cast<double>(number_of_points)));

@@ -28,9 +28,9 @@ inline double half_of_longest_side(const Bbox_3& box)
                      box.zmax() / 2. - box.zmin() / 2.});
 }
 
-// Twice the box from the 5th to the 95th percentile of each coordinate of every `step`-th point. One in
-// twenty on each side is what may be far; of most shapes, twice the rest holds all. O(n)
-inline Bbox_3 twice_the_middle_box(const std::vector<Point>& points, std::size_t step)
+// Twice the box of the middle of each coordinate, without a `share` of the points at each end, of every `step`-th
+// point. O(n)
+inline Bbox_3 twice_the_middle_box(const std::vector<Point>& points, double share, std::size_t step)
 {
   double lower[3], upper[3];
   std::vector<double> values;
@@ -39,7 +39,7 @@ inline Bbox_3 twice_the_middle_box(const std::vector<Point>& points, std::size_t
     values.clear();
     for (std::size_t i = 0; i < points.size(); i += step)
       values.push_back(points[i][axis]);
-    const auto outside = static_cast<std::ptrdiff_t>(values.size() / 20);
+    const auto outside = static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size()));
     std::nth_element(values.begin(), values.begin() + outside, values.end());
     const double low = values[static_cast<std::size_t>(outside)];
     std::nth_element(values.begin(), values.end() - 1 - outside, values.end());
@@ -82,16 +82,18 @@ inline Bbox_3 box_of_most_points(const std::vector<Point>& points, const Bbox_3&
   // In the unit of a box that is so many times as large, the squares of the others would underflow: such a
   // point is no measurement, but stands for the lack of one.
   constexpr double no_digits = 1e140;
+  // One in twenty on each side is what may be far; of most shapes, twice the rest holds all.
+  constexpr double few = 0.05;
   // Some points tell, nearly always, that there are none. To be independent of the order of the points, the
-  // answer must not depend on the choice of these.
+  // answer must not depend on the choice of these: where twice as many are left out, few are not among the rest.
   constexpr std::size_t probes = 1000;
   constexpr double clearly_not_far = 10.;
 
   const double size = half_of_longest_side(box);
-  const Bbox_3 estimate = twice_the_middle_box(points, points.size() / probes + 1);
+  const Bbox_3 estimate = twice_the_middle_box(points, 2. * few, points.size() / probes + 1);
   if (half_of_longest_side(estimate) * clearly_not_far > size)
     return box;
-  const Bbox_3 most = twice_the_middle_box(points, 1);
+  const Bbox_3 most = twice_the_middle_box(points, few, 1);
   const double size_of_most = half_of_longest_side(most);
   if (size_of_most > 0. && size_of_most <= size / no_digits)
     throw_point_too_far(points, most);

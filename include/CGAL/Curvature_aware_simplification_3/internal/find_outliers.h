@@ -6,6 +6,7 @@
 #ifndef CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_FIND_OUTLIERS_H
 #define CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_FIND_OUTLIERS_H
 
+#include <CGAL/Curvature_aware_simplification_3/internal/Adaptive_settings.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Cloud.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/isolated_clusters.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/loops.h>
@@ -74,7 +75,8 @@ inline bool is_more_than_a_few(std::size_t outliers, std::size_t points)
 // than 3 times the median radius. The votes of outliers do not count, which uncovers others.
 template <typename ConcurrencyTag>
 std::vector<std::uint8_t> find_outliers(const Cloud& cloud, const Neighbor_search& search,
-                                        const Shared_features& shared, std::size_t k)
+                                        const Shared_features& shared, std::size_t k,
+                                        const Adaptive_settings& settings)
 {
   const std::size_t n = cloud.size();
   const double sparse = far_inverse_density(shared.features.inverse_density);
@@ -122,7 +124,9 @@ std::vector<std::uint8_t> find_outliers(const Cloud& cloud, const Neighbor_searc
   const bool are_many = is_more_than_a_few(found.size(), n);
   take_votes_back(std::move(found));
   // Without single points between them, clusters are apart.
-  found = Isolated_clusters(cloud, search, shared, k, is_outlier).points<ConcurrencyTag>();
+  found.clear();
+  if (settings.find_clusters)
+    found = Isolated_clusters(cloud, search, shared, k, is_outlier).points<ConcurrencyTag>();
   for (std::size_t i : found)
     is_outlier[i] = 1;
   take_votes_back(std::move(found));

@@ -6,6 +6,7 @@
 #ifndef CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_REMOVE_OUTLIERS_H
 #define CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_REMOVE_OUTLIERS_H
 
+#include <CGAL/Curvature_aware_simplification_3/internal/Adaptive_settings.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Cloud.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Neighbor_search.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/features.h>
@@ -28,10 +29,12 @@ namespace internal {
 // whose indices may not be those of the points any more. The indices in the cloud are dropped before.
 template <typename ConcurrencyTag>
 void remove_outliers(Cloud& cloud, std::unique_ptr<Neighbor_search>& search,
-                     Shared_features& shared, std::size_t k, std::size_t number_of_samples)
+                     Shared_features& shared, std::size_t k, std::size_t number_of_samples,
+                     const Adaptive_settings& settings)
 {
   const std::size_t n = cloud.size();
-  std::vector<std::uint8_t> is_outlier = find_outliers<ConcurrencyTag>(cloud, *search, shared, k);
+  std::vector<std::uint8_t> is_outlier =
+      find_outliers<ConcurrencyTag>(cloud, *search, shared, k, settings);
   shared.votes = std::vector<std::uint32_t>();
   shared.represented = std::vector<std::uint8_t>();
   std::vector<std::size_t> kept =

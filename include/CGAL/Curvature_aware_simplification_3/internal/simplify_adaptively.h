@@ -66,7 +66,7 @@ Distinct_samples simplify_adaptively(Cloud cloud, std::unique_ptr<Neighbor_searc
   const std::size_t distinct = points.size();
   const std::size_t k = neighborhood_size(parameters.number_of_neighbors, distinct) - 1;
   if (settings.find_outliers)
-    remove_outliers<ConcurrencyTag>(cloud, search, shared, k, number_of_samples);
+    remove_outliers<ConcurrencyTag>(cloud, search, shared, k, number_of_samples, settings);
   report.number_of_outliers = distinct - points.size();
   // Then the point nearest to a sample may be one that was not found.
   const bool are_outliers_many = is_more_than_a_few(distinct - points.size(), distinct);
