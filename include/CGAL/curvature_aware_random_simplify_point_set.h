@@ -28,9 +28,9 @@ namespace CGAL {
 the density of the input in part.
 
 This is the stochastic selection of \cgalCite{cgal:curvature-aware-simplification} (section 4.1), the
-first stage of `CGAL::curvature_aware_simplify_point_set()` with `settings_of_the_paper(true)`, by itself. It returns elements of the
-input, hence keeps every attribute that they carry: normals, colors, intensities, labels. Nothing is
-moved, so noise and outliers stay what they are.
+first stage of `CGAL::curvature_aware_simplify_point_set()` with `settings_of_the_paper(true)`, by itself. It
+returns elements of the input, hence keeps every attribute that they carry: normals, colors, intensities,
+labels. Nothing is moved, so noise and outliers stay what they are.
 
 Each of the \f$M\f$ points is drawn with the probability
 \f[ F_i = \frac{N}{M} \left( w_\rho \left(1 + \alpha \left(\frac{1 / \rho_i}{\mathrm{mean}(1 / \rho)}
@@ -138,8 +138,8 @@ The complexity is \f$O(M (\log M + k))\f$.
 
 \throws std::invalid_argument if `points` is empty, a coordinate is not finite (the message tells the
         index of the first such point), points are more than 1e140 times as far from most others as these
-        are from each other (as if the largest `double` stood for a missing measurement), or a parameter is out of its range (the message tells its
-        name, its value and what is allowed); nothing is written then
+        are from each other (as if the largest `double` stood for a missing measurement), or a parameter is
+        out of its range (the message tells its name, its value and what is allowed); nothing is written then
 
 \sa `CGAL::curvature_aware_simplify_point_set()`
 \sa `CGAL::random_simplify_point_set()`

@@ -254,8 +254,8 @@ input then, so that a permutation of the input gives another selection.
 
 \throws std::invalid_argument if `points` is empty, a coordinate is not finite (the message tells the
         index of the first such point), points are more than 1e140 times as far from most others as these
-        are from each other (as if the largest `double` stood for a missing measurement), or a parameter is out of its range (the message tells its
-        name, its value and what is allowed); nothing is written then
+        are from each other (as if the largest `double` stood for a missing measurement), or a parameter is
+        out of its range (the message tells its name, its value and what is allowed); nothing is written then
 
 \sa `CGAL::wlop_simplify_and_regularize_point_set()`
 \sa `CGAL::curvature_aware_random_simplify_point_set()`

@@ -19,6 +19,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <unordered_set>
 #include <vector>
 
 namespace CGAL {
@@ -92,6 +93,7 @@ private:
     const std::size_t most = 8 * m_k;
 
     std::vector<std::size_t> component(1, first);
+    std::unordered_set<std::size_t> is_in_component = {first};
     bool is_part_of_more = false;
     for (std::size_t visited = 0; visited < component.size() && !is_part_of_more; ++visited)
       for_each_mutual_neighbor(m_cloud, m_search, m_features, m_k, m_is_outlier, component[visited],
@@ -99,7 +101,7 @@ private:
                                {
         if (j < first || !may_be_in_cluster(j) || component.size() > most)
           is_part_of_more = true;
-        else if (std::find(component.begin(), component.end(), j) == component.end())
+        else if (is_in_component.insert(j).second)
           component.push_back(j);
       });
     return is_part_of_more ? std::vector<std::size_t>() : component;
@@ -115,7 +117,7 @@ private:
     const double size = static_cast<double>(cluster.size());
     const bool is_thick_everywhere =
         cluster.size() <= m_k || sum / size > least_curvature_of_volumes; // few see other parts
-    // The smallest eigenvalue of few points is smaller: of 8 Gaussian ones, 97 % have half of that of 16.
+    // The smallest eigenvalue of few points is smaller: of 10 Gaussian ones, 97 % have 0.042 of the sum or more.
     const double least =
         least_curvature_of_volumes * (std::min)(1., size / static_cast<double>(m_k));
     const Eigen::Vector3d lambda = eigenvalues(covariance_sums(cluster));
