@@ -581,7 +581,7 @@ TEST_P(Both_methods, errors_of_the_points)
   EXPECT_EQ(message_of([&] { output = subset(points); }),
             "points is empty, but must hold at least one point");
   std::vector<std::pair<Point, double>> none;
-  const auto variation = [&](auto k)
+  const auto variation = [&](std::size_t k)
   {
     CGAL::estimate_surface_variation<Tag>(
         none, k, CGAL::Second_of_pair_property_map<std::pair<Point, double>>(),
@@ -603,7 +603,7 @@ TEST_P(Both_methods, errors_of_the_points)
   none.emplace_back(Point(0, 0, 0), 0.);
   EXPECT_EQ(message_of([&] { variation(1); }),
             "k is 1, but must be an integer from 2 to 4294967295");
-  EXPECT_NE(message_of([&] { variation(-1); }), "no exception");
+  EXPECT_NE(message_of([&] { variation(std::size_t(-1)); }), "no exception");
 
   points[99] = Point(0., 0., -1e200); // a marker of an invalid measurement
   const std::string too_far = "points: the point at index 99 is more than 1e140 times as far from "
