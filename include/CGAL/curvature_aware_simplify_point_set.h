@@ -150,7 +150,7 @@ input then, so that a permutation of the input gives another selection.
                           computed}
     \cgalParamType{an integer from 2 to 4294967295}
     \cgalParamDefault{`16`}
-    \cgalParamExtra{More neighbors find clusters of up to about a quarter as many outliers, and make the
+    \cgalParamExtra{More neighbors find clusters of up to eight times as many outliers, and make the
                     surface variation robust against noise and blind to details smaller than the
                     neighborhood.}
   \cgalParamNEnd

@@ -31,14 +31,14 @@ namespace internal {
 class Isolated_clusters
 {
 public:
-  Isolated_clusters(const Cloud& cloud, const Neighbor_search& search,
-                    const Shared_features& shared, std::size_t k,
-                    const std::vector<std::uint8_t>& is_outlier)
+  // Points with more than `sparse` 1/rho are so far from others that their neighborhoods may be of several parts.
+  Isolated_clusters(const Cloud& cloud, const Neighbor_search& search, const Features& features,
+                    std::size_t k, double sparse, const std::vector<std::uint8_t>& is_outlier)
     : m_cloud(cloud),
       m_search(search),
-      m_features(shared.features),
+      m_features(features),
       m_k(k),
-      m_far(far_inverse_density(shared.features.inverse_density)),
+      m_sparse(sparse),
       m_is_outlier(is_outlier)
   {}
 
@@ -53,7 +53,7 @@ public:
                                    [&](std::size_t c)
                                    {
       std::vector<std::size_t> cluster = component_from(first[c]);
-      if (!cluster.empty() && is_thick(cluster) && is_apart(cluster))
+      if (is_isolated_volume(cluster))
         clusters[c].swap(cluster);
     });
     std::vector<std::size_t> result;
@@ -67,7 +67,7 @@ private:
   bool may_be_in_cluster(std::size_t i) const
   {
     return m_is_outlier[i] == 0 && (m_features.curvature[i] > largest_curvature_of_flat_points ||
-                                    m_features.inverse_density[i] > m_far);
+                                    m_features.inverse_density[i] > m_sparse);
   }
 
   // The first point of a component is no mutual neighbor of those before it on the curve. Of most other points,
@@ -107,9 +107,22 @@ private:
     return is_part_of_more ? std::vector<std::size_t>() : component;
   }
 
-  // As a whole and around each point: a part of a scan line with noise is not the first, a small ball, hollow,
-  // not the second.
-  bool is_thick(const std::vector<std::size_t>& cluster) const
+  bool is_isolated_volume(const std::vector<std::size_t>& cluster) const
+  {
+    if (cluster.empty())
+      return false;
+    Covariance_sums sums;
+    for (std::size_t i : cluster)
+      sums.add(m_cloud.points[i] - m_cloud.points[cluster.front()]);
+    const Eigen::Vector3d lambda = eigenvalues(sums);
+    return is_thick(cluster, lambda) &&
+           is_apart(cluster, m_cloud.points[cluster.front()] + sums.mean(),
+                    std::sqrt((std::max)(lambda.sum(), 0.)));
+  }
+
+  // As a whole, with these eigenvalues of its covariance matrix, and around each point: a part of a scan line with
+  // noise is not the first, a small ball, hollow, not the second.
+  bool is_thick(const std::vector<std::size_t>& cluster, const Eigen::Vector3d& lambda) const
   {
     double sum = 0.; // of the curvatures
     for (std::size_t i : cluster)
@@ -120,18 +133,15 @@ private:
     // The smallest eigenvalue of few points is smaller: of 10 Gaussian ones, 97 % have 0.042 of the sum or more.
     const double least =
         least_curvature_of_volumes * (std::min)(1., size / static_cast<double>(m_k));
-    const Eigen::Vector3d lambda = eigenvalues(covariance_sums(cluster));
     return is_thick_everywhere && lambda(0) > least * lambda.sum();
   }
 
   // Whether nothing else is within three times its root mean square radius, about as far from it as it is wide.
   // Where points come in small groups, as if each were measured many times, these are nearer to each other.
-  bool is_apart(const std::vector<std::size_t>& cluster) const
+  bool is_apart(const std::vector<std::size_t>& cluster, const Point& center, double radius) const
   {
-    const Covariance_sums sums = covariance_sums(cluster);
-    const double radius = std::sqrt((std::max)(eigenvalues(sums).sum(), 0.));
     std::size_t within = 0;
-    m_search.for_each_within(m_cloud.points[cluster.front()] + sums.mean(), 3. * radius,
+    m_search.for_each_within(center, 3. * radius,
                              [&](std::size_t j, const Point&, double)
                              {
       if (m_is_outlier[j] == 0)
@@ -140,19 +150,11 @@ private:
     return within <= cluster.size();
   }
 
-  Covariance_sums covariance_sums(const std::vector<std::size_t>& cluster) const
-  {
-    Covariance_sums sums;
-    for (std::size_t i : cluster)
-      sums.add(m_cloud.points[i] - m_cloud.points[cluster.front()]);
-    return sums;
-  }
-
   const Cloud& m_cloud;
   const Neighbor_search& m_search;
   const Features& m_features;
   std::size_t m_k;
-  double m_far;
+  double m_sparse;
   const std::vector<std::uint8_t>& m_is_outlier;
 };
 
