@@ -4,6 +4,7 @@
 
 #include <CGAL/Curvature_aware_simplification_3/internal/Cloud.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Surface_border.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/correct_by_points.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/denoise_samples.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/features.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/find_outliers.h>
@@ -2092,6 +2093,38 @@ TEST(Adaptive, is_on_the_sides_of_a_plate_as_thin_as_its_points_are_apart)
             0.7 * static_cast<double>(between(1.4, false, false)));
   // the nearest point may be an outlier: no correction
   EXPECT_EQ(between(1.4, true, true), between(1.4, false, true));
+}
+
+TEST(Correction, by_one_point_moves_the_nearest_sample_and_fills_a_gap_with_the_other)
+{
+  std::vector<Point> points;
+  for (int x = 0; x < 5; ++x)
+    points.emplace_back(x, 0., 0.);
+  const std::vector<Point> places = {Point(1.2, 0., 0.3), Point(1., 0., 0.3), Point(0., 0., 0.)};
+  const std::vector<Point> nearest = {points[1], points[1], points[0]};
+  std::vector<Surface_sample> samples(3);
+  for (std::size_t i = 0; i < 3; ++i) // on horizontal planes
+  {
+    samples[i].point = samples[i].surface.origin = places[i];
+    samples[i].surface.radius = samples[i].spacing = 1.;
+  }
+  Sample_neighbors neighbors;
+  neighbors.search(places, 2, Tag());
+  const Neighbor_search search(points, Tag());
+  correct_by_points<Tag>(samples, nearest, neighbors, Surface_fit{search, points.size()});
+  EXPECT_EQ(samples[0].point,
+            points[4]); // 3 from the nearest sample; no other is more than 2
+  EXPECT_EQ(samples[1].point, points[1]);
+  EXPECT_EQ(samples[2].point, points[0]); // not missed
+}
+
+// Half as many samples as points: a point may be the nearest one of several samples whose fits miss it.
+TEST(Adaptive, puts_no_two_samples_on_one_point)
+{
+  std::vector<Point> output =
+      simplified(thin_plate(1.4), np::number_of_output_points(20000).random_seed(1));
+  std::sort(output.begin(), output.end());
+  EXPECT_EQ(std::adjacent_find(output.begin(), output.end()), output.end());
 }
 
 TEST(Adaptive, does_not_mix_the_sides_of_a_noisy_plate)

@@ -60,17 +60,6 @@ struct Surface_sample
     return neighborhood.nearest(point);
   }
 
-  // Moves the sample to `nearest`, a point that is known to be on the surface, if the fit misses that:
-  // it mixes the sides of a part that is hardly thicker than the points are apart.
-  void correct_by(const Point& nearest)
-  {
-    // Of the radius of the fit, more than most points next to a fold of 90 degrees are off, 0.06. With 0.05,
-    // samples on both sides of sharp edges move as well, and errors at 1 % of the points are 2 % larger.
-    constexpr double largest_error = 0.1;
-    if (std::abs(surface.residual(nearest - surface.origin)) > largest_error * surface.radius)
-      point = nearest;
-  }
-
 private:
   void fit_and_move(const Surface_fit& fit, const Point& x, const Vector& guess, int rounds,
                     Neighborhood& neighborhood)

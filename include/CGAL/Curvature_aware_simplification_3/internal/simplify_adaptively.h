@@ -9,6 +9,7 @@
 #include <CGAL/Curvature_aware_simplification_3/internal/Cloud.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Distinct_samples.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Stopwatch.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/correct_by_points.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/denoise_samples.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/features.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/find_outliers.h>
@@ -126,14 +127,15 @@ Distinct_samples simplify_adaptively(Cloud cloud, std::unique_ptr<Neighbor_searc
                                        parameters.repulsion_weight, progress.part(0.6, 0.85));
   report.relaxation_time = stopwatch.lap();
 
+  std::vector<Point> nearest(samples.size());
   for_each_index<ConcurrencyTag>(samples.size(), progress.part(0.85, 0.91),
                                  [&](std::size_t i)
                                  {
     Surface_sample& x = samples[i];
-    const Point nearest = x.place(fit.with(x.noise), x.point, x.normal, rounds_to_stay);
-    if (settings.correct_by_points && !x.noise.is_visible && !are_outliers_many)
-      x.correct_by(nearest);
+    nearest[i] = x.place(fit.with(x.noise), x.point, x.normal, rounds_to_stay);
   });
+  if (settings.correct_by_points && !are_outliers_many)
+    correct_by_points<ConcurrencyTag>(samples, nearest, neighbors, fit);
   if (settings.denoise && noise.is_visible())
     denoise_samples<ConcurrencyTag>(samples, fit, progress.part(0.91, 0.97));
   if (settings.move_to_edges)
