@@ -20,6 +20,7 @@
 #include <CGAL/Curvature_aware_simplification_3/internal/shared_features.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/smooth_points.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/surface_pieces.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/thin_points.h>
 #include <CGAL/curvature_aware_simplify_point_set.h>
 
 #include <Eigen/Core>
@@ -35,6 +36,7 @@
 #include <iterator>
 #include <limits>
 #include <memory>
+#include <numeric>
 #include <random>
 #include <set>
 #include <utility>
@@ -652,12 +654,11 @@ TEST(Noise_levels, have_ranges_of_points)
   const std::vector<std::size_t> begins{0, 3, 5, 7};
   for (std::size_t range = 0; range < 3; ++range)
   {
-    EXPECT_EQ(noise.ranges().first_point(range), begins[range]);
+    EXPECT_EQ(noise.first_point[range], begins[range]);
     for (std::size_t i = begins[range]; i < begins[range + 1]; ++i)
       EXPECT_EQ(noise.at(i).level, noise.of_range[range].level);
   }
   EXPECT_EQ(noise.median(), 2.);
-  EXPECT_EQ(noise.least(), 1.);
 }
 
 TEST(Noise_levels, are_visible_above_a_bound)
@@ -877,21 +878,74 @@ TEST(Smoothing, is_where_noise_is_visible)
   EXPECT_EQ(left.at(15000).independent_level, 0.002);
 }
 
-TEST(Smoothing, keeps_all_points_where_some_have_no_noise)
+// 192 points are in a ball of 4 sigma, where 25 are enough.
+TEST(Thinning, keeps_a_neighborhood_in_each_ball_where_points_are_smoothed)
 {
-  const std::vector<Point> points = with_noise(surfaces::square(30000, 74), 0.02, 75);
-  const Neighbor_search search(points, Tag());
-  for (double least : {0., 0.02})
+  const std::vector<double> inverse_density(30000, 0.04 * 0.04 / 48.);
+  Noise_levels noise({{0.01, 0.01}, {0.02, 0.02}, {0.02, 0.02}}, 30000);
+  noise.make_visible_above(0.0075); // half of 0.02, not half of 0.01
+  const Thinned_points thinned = thin_points<Tag>(inverse_density, noise, 1000);
+  const auto kept_before = [&](std::size_t i)
+  { return std::lower_bound(thinned.kept.begin(), thinned.kept.end(), i) - thinned.kept.begin(); };
+  EXPECT_EQ(kept_before(10000), 10000);
+  EXPECT_NEAR(static_cast<double>(kept_before(20000)), 10000. + 10000. * 25. / 192., 1.);
+  EXPECT_NEAR(static_cast<double>(kept_before(30000)), 10000. + 20000. * 25. / 192., 1.);
+  EXPECT_EQ(thinned.number[5000], 1.);
+  EXPECT_NEAR(thinned.number.back(), 192. / 25., 1e-12);
+
+  const Noise_levels left = noise.of_some(thinned.kept);
+  for (std::size_t i = 0; i < thinned.kept.size(); i += 7)
+    EXPECT_EQ(&left.at(i) - left.of_range.data(),
+              &noise.at(thinned.kept[i]) - noise.of_range.data());
+}
+
+TEST(Thinning, keeps_two_points_for_each_sample)
+{
+  const std::vector<double> inverse_density(30000, 1e-9);
+  Noise_levels noise({{0., 0.}, {1., 1.}, {1., 1.}}, 30000);
+  noise.make_visible_above(0.1);
+  for (std::size_t samples : {5000, 8000, 15000, 20000})
   {
-    std::vector<Point> result = points;
-    std::vector<double> inverse_density(points.size(), 1. / (CGAL_PI * 30000.));
-    std::vector<std::uint8_t> is_bent(points.size(), 0);
-    Noise_levels noise{{{0.02, 0.02}, {0.02, 0.02}, {least, least}}, points.size()};
-    noise.make_visible_above(0.005);
-    smooth_points<Tag>(result, inverse_density, is_bent, search, noise, 1000, Adaptive_settings(),
-                       Progress(no_callback));
-    EXPECT_EQ(result.size(), least == 0. ? 30000u : 2000u);
+    const Thinned_points thinned = thin_points<Tag>(inverse_density, noise, samples);
+    EXPECT_NEAR(static_cast<double>(thinned.kept.size()),
+                (std::min)((std::max)(2. * static_cast<double>(samples), 10000.), 30000.), 1.);
+    EXPECT_TRUE(std::is_sorted(thinned.kept.begin(), thinned.kept.end()));
+    const double all = std::accumulate(thinned.number.begin(), thinned.number.end(), 0.);
+    EXPECT_NEAR(all, samples == 5000 ? 10000. : 30000., 10.) << samples; // no noisy one of 10,000
   }
+}
+
+TEST(Thinning, leaves_a_sparse_place_beside_a_dense_one)
+{
+  std::vector<double> inverse_density(4095, 1e-6); // 16 ranges
+  for (std::size_t i = 2000; i < 2030; ++i)
+    inverse_density[i] = 1e-2;
+  Noise_levels noise = uniform_noise(0.02, inverse_density.size());
+  noise.make_visible_above(0.);
+  const Thinned_points thinned = thin_points<Tag>(inverse_density, noise, 1);
+  const auto begin = std::lower_bound(thinned.kept.begin(), thinned.kept.end(), 2000u);
+  EXPECT_EQ(std::lower_bound(begin, thinned.kept.end(), 2030u) - begin, 30);
+  EXPECT_NEAR(static_cast<double>(thinned.kept.size()), 256. + 3839. * 25. / 6400., 2.);
+}
+
+// A part that is 2000 times as dense as the rest was smoothed point by point, with 288 neighbors of each.
+TEST(Thinning, smooths_few_points_of_a_dense_part)
+{
+  std::vector<Point> points = surfaces::square(3000, 76);
+  for (const Point& p : surfaces::square(60000, 77))
+    points.emplace_back(0.4 + 0.1 * p.x(), 0.4 + 0.1 * p.y(), 0.);
+  points = with_noise(std::move(points), 0.005, 78);
+  const Cloud cloud = make_cloud<Tag>(points, 0.);
+  const Smoothed result = smoothed(cloud.points, cloud.frame.length_to_frame(0.005), 500);
+  std::size_t inside = 0;
+  for (const Point& q : result.points)
+  {
+    const Point p = cloud.frame.from_frame(q);
+    if (p.x() > 0.4 && p.x() < 0.5 && p.y() > 0.4 && p.y() < 0.5)
+      ++inside;
+  }
+  EXPECT_LT(inside, 15000u);
+  EXPECT_GT(result.points.size() - inside, 2900u);
 }
 
 TEST(Neighborhood, of_a_fit_is_a_ball_that_is_neither_empty_nor_too_full)
@@ -936,7 +990,7 @@ TEST(Smoothing, takes_part_of_the_points_that_are_dense_against_the_noise)
   EXPECT_LT(few.points.size(), 10000u);
   // at least two for each sample
   const Smoothed many = smoothed(points, 0.02, 20000);
-  EXPECT_EQ(many.points.size(), 50000u);
+  EXPECT_NEAR(static_cast<double>(many.points.size()), 40000., 1.);
   EXPECT_NEAR(area(few.inverse_density) / area(many.inverse_density), 1., 0.05);
   EXPECT_EQ(smoothed(points, 0.02, 90000).points.size(), 100000u);
   // what is known of a point stays with it; it moves by 4 sigma at most

@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -34,10 +35,32 @@ struct Noise
 struct Noise_levels
 {
   std::vector<Noise> of_range;
-  std::size_t number_of_points;
+  std::vector<std::size_t> first_point; // of each range, and the number of points
 
-  Curve_ranges ranges() const { return {of_range.size(), number_of_points}; }
-  const Noise& at(std::size_t i) const { return of_range[ranges().range_of(i)]; }
+  // of ranges of equally many points
+  Noise_levels(std::vector<Noise> levels, std::size_t number_of_points)
+    : of_range(std::move(levels))
+  {
+    const Curve_ranges ranges{of_range.size(), number_of_points};
+    for (std::size_t range = 0; range <= of_range.size(); ++range)
+      first_point.push_back(ranges.first_point(range));
+  }
+
+  const Noise& at(std::size_t i) const
+  {
+    const auto next = std::upper_bound(first_point.begin(), first_point.end(), i);
+    return of_range[static_cast<std::size_t>(next - first_point.begin()) - 1];
+  }
+
+  // The same noise, of some of the points, whose indices are in order
+  Noise_levels of_some(const std::vector<std::size_t>& points) const
+  {
+    Noise_levels result = *this;
+    for (std::size_t& first : result.first_point)
+      first = static_cast<std::size_t>(std::lower_bound(points.begin(), points.end(), first) -
+                                       points.begin());
+    return result;
+  }
 
   double median() const
   {
@@ -45,13 +68,6 @@ struct Noise_levels
     for (const Noise& noise : of_range)
       levels.push_back(noise.level);
     return internal::median(levels);
-  }
-
-  double least() const
-  {
-    return std::min_element(of_range.begin(), of_range.end(),
-                            [](const Noise& a, const Noise& b) { return a.level < b.level; })
-        ->level;
   }
 
   // The narrowest fits have an error of up to sigma / 2.

@@ -17,6 +17,7 @@
 #include <cstddef>
 #include <limits>
 #include <numeric>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -124,10 +125,10 @@ Noise_levels measure_noise(const std::vector<Point>& points, const Neighbor_sear
     for (std::size_t range = 0; range < levels.size(); ++range)
       levels[range] = (std::min)(levels[range], around_planes[range]);
   }
-  Noise_levels result{{}, points.size()};
+  std::vector<Noise> noise;
   for (double level : levels)
-    result.of_range.push_back({level, level});
-  return result;
+    noise.push_back({level, level});
+  return {std::move(noise), points.size()};
 }
 
 } // namespace internal

@@ -11,6 +11,7 @@
 #include <CGAL/Curvature_aware_simplification_3/internal/Surface_fit.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/fit_quadric.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/loops.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/thin_points.h>
 
 #include <algorithm>
 #include <cmath>
@@ -21,12 +22,6 @@
 namespace CGAL {
 namespace Curvature_aware_simplification_3 {
 namespace internal {
-
-// The neighbors of a point by which it is smoothed: 24, four for each coefficient of a quadric, or all
-// within so many sigma. A much narrower ball around a noisy point sees no layer; from 2.5 to 5, the
-// results are the same.
-inline constexpr std::size_t smoothing_neighborhood = 25;
-inline constexpr double smoothing_radius_in_noise = 4.;
 
 // A point on the surface, and the variance of its distance to it
 struct Smoothed_point
@@ -96,42 +91,28 @@ inline Smoothed_point smooth_point(const Surface_fit& fit, const Point& x, doubl
   return {x + share * (surface.origin - x), variance};
 }
 
-// Every how many-th point is enough: those in the ball that smooths one are all averaged into it, so
-// that more than a full neighborhood per ball tell the same again. `noise` is the least of all, since points
-// that are not smoothed are averaged into none. At least two for each sample.
+// The noise that is left where points were smoothed and thinned: the mean of their variances, by range
 template <typename ConcurrencyTag>
-std::size_t smoothing_step(const std::vector<double>& inverse_density, double noise,
-                           std::size_t number_of_samples)
+Noise_levels noise_left(const Noise_levels& noise, const Thinned_points& thinned,
+                        const std::vector<double>& variance)
 {
-  const std::size_t n = inverse_density.size();
-  const double mean_inverse_density =
-      mean<ConcurrencyTag>(n, [&](std::size_t i) { return inverse_density[i]; });
-  const double radius = smoothing_radius_in_noise * noise;
-  const double points_in_ball = radius * radius / mean_inverse_density;
-  const double step = points_in_ball / static_cast<double>(smoothing_neighborhood);
-  const double largest = static_cast<double>(n) / (2. * static_cast<double>(number_of_samples));
-  return static_cast<std::size_t>((std::max)(1., (std::min)(step, largest)));
-}
-
-// The noise that is left where points were smoothed: the mean of their variances, by range
-template <typename ConcurrencyTag>
-Noise_levels noise_left(const Noise_levels& noise, const std::vector<double>& variance,
-                        std::size_t step)
-{
-  Noise_levels left{noise.of_range, variance.size()};
+  Noise_levels left = noise.of_some(thinned.kept);
   for_each_index<ConcurrencyTag>(0, left.of_range.size(),
                                  [&](std::size_t range)
                                  {
     Noise& here = left.of_range[range];
-    const std::size_t begin = left.ranges().first_point(range);
-    const std::size_t end = left.ranges().first_point(range + 1);
-    if (!here.is_visible || begin == end) // not smoothed, or more ranges than points
+    const std::size_t begin = left.first_point[range], end = left.first_point[range + 1];
+    if (!here.is_visible || begin == end) // not smoothed, or none is left
       return;
-    here.independent_level = here.level / std::sqrt(static_cast<double>(step));
-    double sum = 0.;
+    double points = 0., sum = 0.;
     for (std::size_t i = begin; i < end; ++i)
+    {
+      points += thinned.number[i];
       sum += variance[i];
-    here.level = std::sqrt(sum / static_cast<double>(end - begin));
+    }
+    const double kept = static_cast<double>(end - begin);
+    here.independent_level = here.level * std::sqrt(kept / points);
+    here.level = std::sqrt(sum / kept);
   });
   return left;
 }
@@ -146,27 +127,27 @@ Noise_levels smooth_points(std::vector<Point>& points, std::vector<double>& inve
                            const Adaptive_settings& settings, const Progress& progress)
 {
   const Surface_fit fit{search, points.size(), Noise(), settings}; // each point has its own noise
-  const std::size_t step =
-      smoothing_step<ConcurrencyTag>(inverse_density, noise.least(), number_of_samples);
-  const std::size_t kept = (points.size() - 1) / step + 1;
+  const Thinned_points thinned =
+      thin_points<ConcurrencyTag>(inverse_density, noise, number_of_samples);
+  const std::size_t kept = thinned.kept.size();
   std::vector<Point> smoothed(kept);
   std::vector<double> variance(kept), inverse_density_of_kept(kept);
   std::vector<std::uint8_t> is_kept_bent(kept);
   for_each_index<ConcurrencyTag>(kept, progress,
                                  [&](std::size_t i)
                                  {
-    const std::size_t j = i * step;
+    const std::size_t j = thinned.kept[i];
     const Smoothed_point result =
         smooth_point(fit.with(noise.at(j)), points[j], inverse_density[j]);
     smoothed[i] = result.point;
     variance[i] = result.variance;
-    inverse_density_of_kept[i] = inverse_density[j] * static_cast<double>(step);
+    inverse_density_of_kept[i] = inverse_density[j] * thinned.number[i];
     is_kept_bent[i] = is_bent[j];
   });
   points.swap(smoothed);
   inverse_density.swap(inverse_density_of_kept);
   is_bent.swap(is_kept_bent);
-  return noise_left<ConcurrencyTag>(noise, variance, step);
+  return noise_left<ConcurrencyTag>(noise, thinned, variance);
 }
 
 } // namespace internal
