@@ -904,7 +904,7 @@ TEST(Thinning, keeps_two_points_for_each_sample)
   const std::vector<double> inverse_density(30000, 1e-9);
   Noise_levels noise({{0., 0.}, {1., 1.}, {1., 1.}}, 30000);
   noise.make_visible_above(0.1);
-  for (std::size_t samples : {5000, 8000, 15000, 20000})
+  for (std::size_t samples : {5000u, 8000u, 15000u, 20000u})
   {
     const Thinned_points thinned = thin_points<Tag>(inverse_density, noise, samples);
     EXPECT_NEAR(static_cast<double>(thinned.kept.size()),
