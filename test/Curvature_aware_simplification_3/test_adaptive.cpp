@@ -820,6 +820,9 @@ std::vector<Point> cube(std::size_t n, unsigned int seed)
   });
 }
 
+// samples so far from each other that the noise alone decides how far smoothing reaches
+constexpr double far_samples = std::numeric_limits<double>::infinity();
+
 Smoothed smoothed(const std::vector<Point>& points, double noise, std::size_t number_of_samples,
                   const Adaptive_settings& settings = Adaptive_settings())
 {
@@ -835,10 +838,11 @@ Smoothed smoothed(const std::vector<Point>& points, double noise, std::size_t nu
   }
   Noise_levels levels = uniform_noise(noise, points.size());
   levels.make_visible_above(0.);
-  result.noise = smooth_points<Tag>(result.points, result.inverse_density, result.is_bent, search,
-                                    levels, number_of_samples, settings, Progress(no_callback))
-                     .at(0)
-                     .level;
+  result.noise =
+      smooth_points<Tag>(result.points, result.inverse_density, result.is_bent, search, levels,
+                         number_of_samples, far_samples, settings, Progress(no_callback))
+          .at(0)
+          .level;
   return result;
 }
 
@@ -868,8 +872,9 @@ TEST(Smoothing, is_where_noise_is_visible)
   std::vector<std::uint8_t> is_bent(points.size(), 0);
   Noise_levels noise{{{0.001, 0.001}, {0.002, 0.002}, {0.0015, 0.0015}}, points.size()};
   noise.make_visible_above(0.00075);
-  const Noise_levels left = smooth_points<Tag>(result, inverse_density, is_bent, search, noise,
-                                               1000, Adaptive_settings(), Progress(no_callback));
+  const Noise_levels left =
+      smooth_points<Tag>(result, inverse_density, is_bent, search, noise, 1000, far_samples,
+                         Adaptive_settings(), Progress(no_callback));
   for (std::size_t i = 0; i < points.size(); ++i)
     EXPECT_EQ(result[i] != points[i], i >= 10000 && i < 20000) << i;
   EXPECT_EQ(left.at(0).level, 0.001);
@@ -878,13 +883,23 @@ TEST(Smoothing, is_where_noise_is_visible)
   EXPECT_EQ(left.at(15000).independent_level, 0.002);
 }
 
+TEST(Smoothing, reaches_no_further_than_the_samples_see)
+{
+  const Noise noise{0.1, 0.1};
+  EXPECT_DOUBLE_EQ(smoothing_radius(noise, far_samples), 0.4);
+  EXPECT_DOUBLE_EQ(smoothing_radius(noise, 0.32), 0.4);
+  EXPECT_DOUBLE_EQ(smoothing_radius(noise, 0.28), 0.35);
+  EXPECT_DOUBLE_EQ(smoothing_radius(noise, 0.2), 0.3);
+  EXPECT_DOUBLE_EQ(smoothing_radius(Noise{0., 0.}, 0.2), 0.);
+}
+
 // 192 points are in a ball of 4 sigma, where 25 are enough.
 TEST(Thinning, keeps_a_neighborhood_in_each_ball_where_points_are_smoothed)
 {
   const std::vector<double> inverse_density(30000, 0.04 * 0.04 / 48.);
   Noise_levels noise({{0.01, 0.01}, {0.02, 0.02}, {0.02, 0.02}}, 30000);
   noise.make_visible_above(0.0075); // half of 0.02, not half of 0.01
-  const Thinned_points thinned = thin_points<Tag>(inverse_density, noise, 1000);
+  const Thinned_points thinned = thin_points<Tag>(inverse_density, noise, 1000, far_samples);
   const auto kept_before = [&](std::size_t i)
   { return std::lower_bound(thinned.kept.begin(), thinned.kept.end(), i) - thinned.kept.begin(); };
   EXPECT_EQ(kept_before(10000), 10000);
@@ -906,7 +921,7 @@ TEST(Thinning, keeps_two_points_for_each_sample)
   noise.make_visible_above(0.1);
   for (std::size_t samples : {5000u, 8000u, 15000u, 20000u})
   {
-    const Thinned_points thinned = thin_points<Tag>(inverse_density, noise, samples);
+    const Thinned_points thinned = thin_points<Tag>(inverse_density, noise, samples, far_samples);
     EXPECT_NEAR(static_cast<double>(thinned.kept.size()),
                 (std::min)((std::max)(2. * static_cast<double>(samples), 10000.), 30000.), 1.);
     EXPECT_TRUE(std::is_sorted(thinned.kept.begin(), thinned.kept.end()));
@@ -922,7 +937,7 @@ TEST(Thinning, leaves_a_sparse_place_beside_a_dense_one)
     inverse_density[i] = 1e-2;
   Noise_levels noise = uniform_noise(0.02, inverse_density.size());
   noise.make_visible_above(0.);
-  const Thinned_points thinned = thin_points<Tag>(inverse_density, noise, 1);
+  const Thinned_points thinned = thin_points<Tag>(inverse_density, noise, 1, far_samples);
   const auto begin = std::lower_bound(thinned.kept.begin(), thinned.kept.end(), 2000u);
   EXPECT_EQ(std::lower_bound(begin, thinned.kept.end(), 2030u) - begin, 30);
   EXPECT_NEAR(static_cast<double>(thinned.kept.size()), 256. + 3839. * 25. / 6400., 2.);

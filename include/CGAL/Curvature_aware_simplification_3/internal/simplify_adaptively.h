@@ -92,7 +92,8 @@ Distinct_samples simplify_adaptively(Cloud cloud, std::unique_ptr<Neighbor_searc
   if (settings.smooth_points && noise.is_visible())
   {
     noise = smooth_points<ConcurrencyTag>(points, features.inverse_density, is_bent, *search, noise,
-                                          number_of_samples, settings, progress.part(0.3, 0.4));
+                                          number_of_samples, mean_spacing, settings,
+                                          progress.part(0.3, 0.4));
     search.reset();
     search.reset(new Neighbor_search(points, ConcurrencyTag()));
   }

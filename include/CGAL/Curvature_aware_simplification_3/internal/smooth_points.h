@@ -63,13 +63,14 @@ inline double share_explained_by_noise(const Surface_fit& fit, double residual_v
 
 // x moved to the foot point on the quadric through its neighbors, as far as noise explains; x itself where
 // its noise is not visible, or they tell nothing of it
-inline Smoothed_point smooth_point(const Surface_fit& fit, const Point& x, double inverse_density)
+inline Smoothed_point smooth_point(const Surface_fit& fit, const Point& x, double inverse_density,
+                                   double spacing_of_samples)
 {
   static thread_local Neighborhood neighborhood;
   const Smoothed_point unchanged{x, fit.noise.level * fit.noise.level};
   if (!fit.noise.is_visible)
     return unchanged;
-  const double radius = smoothing_radius_in_noise * fit.noise.level;
+  const double radius = smoothing_radius(fit.noise, spacing_of_samples);
   const double expected_neighbors = (std::min)(radius * radius / inverse_density, 1e9);
   collect_neighbors(fit, x, smoothing_neighborhood, radius,
                     static_cast<std::size_t>(expected_neighbors), neighborhood);
@@ -81,7 +82,7 @@ inline Smoothed_point smooth_point(const Surface_fit& fit, const Point& x, doubl
   neighborhood.radius = (std::max)(neighborhood.radius, 2. * radius);
   neighborhood.weight_by_distance();
   Local_surface surface;
-  // further than 4 sigma, noise does not carry a point: it is on another sheet, or the fit is wrong
+  // further than 3 sigma, noise hardly carries a point: it is on another sheet, or the fit is wrong
   if (!fit_quadric_over_plane(neighborhood, fit.noise.level, surface) ||
       !(surface.error < fit.noise.level) || !(std::abs(surface.c[0]) <= radius))
     return unchanged;
@@ -124,11 +125,12 @@ template <typename ConcurrencyTag>
 Noise_levels smooth_points(std::vector<Point>& points, std::vector<double>& inverse_density,
                            std::vector<std::uint8_t>& is_bent, const Neighbor_search& search,
                            const Noise_levels& noise, std::size_t number_of_samples,
-                           const Adaptive_settings& settings, const Progress& progress)
+                           double spacing_of_samples, const Adaptive_settings& settings,
+                           const Progress& progress)
 {
   const Surface_fit fit{search, points.size(), Noise(), settings}; // each point has its own noise
   const Thinned_points thinned =
-      thin_points<ConcurrencyTag>(inverse_density, noise, number_of_samples);
+      thin_points<ConcurrencyTag>(inverse_density, noise, number_of_samples, spacing_of_samples);
   const std::size_t kept = thinned.kept.size();
   std::vector<Point> smoothed(kept);
   std::vector<double> variance(kept), inverse_density_of_kept(kept);
@@ -138,7 +140,7 @@ Noise_levels smooth_points(std::vector<Point>& points, std::vector<double>& inve
                                  {
     const std::size_t j = thinned.kept[i];
     const Smoothed_point result =
-        smooth_point(fit.with(noise.at(j)), points[j], inverse_density[j]);
+        smooth_point(fit.with(noise.at(j)), points[j], inverse_density[j], spacing_of_samples);
     smoothed[i] = result.point;
     variance[i] = result.variance;
     inverse_density_of_kept[i] = inverse_density[j] * thinned.number[i];
