@@ -25,19 +25,19 @@ namespace CGAL {
 namespace Curvature_aware_simplification_3 {
 namespace internal {
 
-// Marks those that have less votes than needed, and returns them. A vote that counts for several points
+// Marks those that have less votes than needed_votes(i), and returns them. A vote that counts for several points
 // makes the number uncertain: those with few are asked how many of their neighbors would vote for
 // them, were these asked one by one.
-template <typename ConcurrencyTag>
+template <typename ConcurrencyTag, typename NeededVotes>
 std::vector<std::size_t>
 mark_those_with_less_votes(const Cloud& cloud, const Neighbor_search& search,
                            const Shared_features& shared, std::size_t k,
                            const std::vector<std::atomic<std::uint32_t>>& votes,
-                           std::size_t needed_votes, std::vector<std::uint8_t>& is_outlier)
+                           const NeededVotes& needed_votes, std::vector<std::uint8_t>& is_outlier)
 {
   const std::vector<std::size_t> candidates = indices_where<ConcurrencyTag>(votes.size(),
                                                                             [&](std::size_t i) {
-    return is_outlier[i] == 0 && votes[i].load(std::memory_order_relaxed) < needed_votes;
+    return is_outlier[i] == 0 && votes[i].load(std::memory_order_relaxed) < needed_votes(i);
   });
   // all are counted before any is marked
   std::vector<std::uint8_t> is_confirmed(candidates.size());
@@ -47,7 +47,7 @@ mark_those_with_less_votes(const Cloud& cloud, const Neighbor_search& search,
     std::size_t mutual_neighbors = 0;
     for_each_mutual_neighbor(cloud, search, shared.features, k, is_outlier, candidates[c],
                              [&](std::size_t) { ++mutual_neighbors; });
-    is_confirmed[c] = mutual_neighbors < needed_votes ? 1 : 0;
+    is_confirmed[c] = mutual_neighbors < needed_votes(candidates[c]) ? 1 : 0;
   });
   const std::vector<std::size_t> found = elements_at<ConcurrencyTag>(
       indices_where<ConcurrencyTag>(candidates.size(),
@@ -74,7 +74,8 @@ inline bool is_more_than_a_few(std::size_t outliers, std::size_t points)
 // themselves. An outlier near a surface has neighbors there, but is no neighbor of theirs. Outliers
 // far away vote for each other; they are those whose neighborhood is as thick as wide and has more
 // than 3 times the median radius, which noise alone does not give it. The votes of outliers do not
-// count, which uncovers others.
+// count, which uncovers others; among outliers of uneven density, those with 2 to 3 times the median radius
+// lose half of their votes to them, and go as well.
 template <typename ConcurrencyTag>
 std::vector<std::uint8_t> find_outliers(const Cloud& cloud, const Neighbor_search& search,
                                         const Shared_features& shared, std::size_t k,
@@ -85,7 +86,7 @@ std::vector<std::uint8_t> find_outliers(const Cloud& cloud, const Neighbor_searc
   std::vector<std::uint8_t> is_outlier(n, 0);
   std::vector<std::atomic<std::uint32_t>> votes(n); // sums of integers: the order does not matter
   // A quarter of the votes: a corner of an open surface, the least that a surface has, gets a half.
-  const std::size_t few_votes = (std::max)(k / 4, std::size_t(1));
+  const std::size_t quarter = (std::max)(k / 4, std::size_t(1));
   for_each_index<ConcurrencyTag>(0, n,
                                  [&](std::size_t i)
                                  {
@@ -95,7 +96,18 @@ std::vector<std::uint8_t> find_outliers(const Cloud& cloud, const Neighbor_searc
                         ? 1
                         : 0;
   });
-  const auto mark = [&](std::size_t needed_votes)
+  // Of a thick and rather sparse neighborhood, half of those that it had at first: without these, most of what
+  // is around it are outliers. A sparse region of a surface has no outliers to lose.
+  constexpr double rather_far = 2. / 3.; // of the radius from which on points are far
+  const auto few_votes = [&](std::size_t i)
+  {
+    const bool may_be_in_volume =
+        shared.features.inverse_density[i] > rather_far * rather_far * sparse &&
+        shared.features.curvature[i] > least_curvature_of_volumes;
+    return may_be_in_volume ? (std::max)(quarter, std::size_t(shared.votes[i] / 2)) : quarter;
+  };
+  const auto half = [&](std::size_t) { return k / 2; };
+  const auto mark = [&](const auto& needed_votes)
   {
     return mark_those_with_less_votes<ConcurrencyTag>(cloud, search, shared, k, votes, needed_votes,
                                                       is_outlier);
@@ -134,7 +146,7 @@ std::vector<std::uint8_t> find_outliers(const Cloud& cloud, const Neighbor_searc
     take_votes_back(std::move(found));
   }
   if (are_many)
-    take_votes_back(mark(k / 2));
+    take_votes_back(mark(half));
   return is_outlier;
 }
 
