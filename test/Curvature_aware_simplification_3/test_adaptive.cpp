@@ -1133,6 +1133,26 @@ TEST(Outliers, are_found)
   }
 }
 
+// The neighborhoods of the box of outliers are 2.4 times as wide as those of the square below.
+TEST(Outliers, in_a_volume_hardly_sparser_than_the_surface_are_found)
+{
+  std::vector<Point> points = with_noise(surfaces::square(20000, 46), 0.002, 47);
+  const auto point_of_box = [](CGAL::Random& random)
+  {
+    const double x = random.uniform_real(0.25, 0.75), y = random.uniform_real(0.25, 0.75);
+    return Point(x, y, random.uniform_real(0.2, 0.7));
+  };
+  for (const Point& p : surfaces::sample(7500, 48, point_of_box))
+    points.push_back(p);
+  const Cloud cloud = make_cloud<Tag>(points, 1e-16);
+  const std::vector<std::uint8_t> is_outlier = outliers_of(cloud);
+  int found = 0, lost = 0;
+  for (std::size_t i = 0; i < cloud.size(); ++i)
+    (cloud.input_index[i] < 20000 ? lost : found) += is_outlier[i];
+  EXPECT_GT(found, 0.99 * 7500);
+  EXPECT_LT(lost, 0.02 * 20000);
+}
+
 TEST(Outliers, are_no_neighbors_once_they_are_removed)
 {
   for (std::size_t number : {5u, 2000u}) // hidden in the search, and a new one
