@@ -277,6 +277,27 @@ TEST(Fit, starts_from_the_point_and_the_normal_it_is_given)
   }
 }
 
+// Noise makes the ball of a fit wide, and one over a gap between two feet has points on all sides.
+TEST(Surface_sample, does_not_stay_in_a_gap_between_noisy_points)
+{
+  const double sigma = 0.02, half_gap = 3. * sigma;
+  CGAL::Random random(8);
+  std::vector<Point> points =
+      patch(40000, 9, [&](double, double) { return sigma * surfaces::normal_deviate(random); });
+  points.erase(std::remove_if(points.begin(), points.end(),
+                              [&](const Point& p) { return std::abs(p.x()) < half_gap; }),
+               points.end());
+  const Neighbor_search search(points, Tag());
+  const Surface_fit fit{search, points.size(), Noise{sigma, sigma, true, 0.}};
+  for (double y : {-0.2, 0., 0.2})
+    for (double x : {-0.01, 0., 0.01})
+    {
+      Surface_sample sample;
+      sample.place(fit, Point(x, y, 0.), Vector(0., 0., 1.), rounds_to_move);
+      EXPECT_GT(std::abs(sample.point.x()), half_gap - sigma) << x << ' ' << y;
+    }
+}
+
 TEST(Fit, of_a_local_surface_separates_two_sheets)
 {
   // 0.035 apart, while 18 neighbors of one sheet have a radius of 0.038

@@ -40,21 +40,26 @@ struct Surface_sample
   }
 
   // Fits the surface around x in so many rounds, and puts the sample on it. In a gap of the input, where
-  // that is no more than a guess, it goes back to the nearest point of the input. Returns the point of the
-  // input that is nearest to the sample. `x` and `guess` may be its own, which the first fit replaces.
+  // that is no more than a guess, it goes back to the nearest point of the input. Returns the point of
+  // the input that is nearest to the sample. `x` and `guess` may be its own, which the first fit replaces.
   Point place(const Surface_fit& fit, Point x, Vector guess, int rounds)
   {
-    // Of the radius of the ball. Of 19 random points in a disk, none is within that distance of the center
-    // once in 40,000 times.
-    constexpr double gap = 0.75;
+    // A disk in which so many points are expected is a gap if there is none: three quarters of the radius for 19
+    // points, which is empty by chance once in 40,000 times. With half as many, the mean error of clean scans is the
+    // same to 1 %, with a third 1 % larger. With noise, points are off the surface as well.
+    constexpr double points_in_gap = 0.75 * 0.75 * 19., heights_in_noise = 2.;
 
     static thread_local Neighborhood neighborhood;
     fit_and_move(fit, x, guess, rounds, neighborhood);
     if (!(neighborhood.radius > 0.))
       return point;
     const Point nearest = neighborhood.nearest(point);
-    const double largest_distance = gap * neighborhood.radius;
-    if (squared_distance(nearest, point) <= largest_distance * largest_distance)
+    const double height = heights_in_noise * fit.noise.level;
+    const double largest_squared_distance = points_in_gap /
+                                                static_cast<double>(neighborhood.size()) *
+                                                neighborhood.radius * neighborhood.radius +
+                                            height * height;
+    if (squared_distance(nearest, point) <= largest_squared_distance)
       return nearest;
     fit_and_move(fit, nearest, guess, rounds, neighborhood);
     return neighborhood.nearest(point);
