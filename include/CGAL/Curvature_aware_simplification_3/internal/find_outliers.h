@@ -25,8 +25,8 @@ namespace CGAL {
 namespace Curvature_aware_simplification_3 {
 namespace internal {
 
-// kappa of points spread evenly in space: 0.19 on average for k = 16, and two of five are above 0.2. On layers as thick
-// as a neighborhood is wide, one of nine is.
+// kappa of points spread evenly in space is above that for two of five, for k = 16. On a layer of Gaussian noise of
+// three quarters of the radius of a neighborhood, it is for one of eight.
 inline constexpr double curvature_of_round_volumes = 0.2;
 
 // Marks those that have less votes than needed_votes(i), and returns them. A vote that counts for several points
