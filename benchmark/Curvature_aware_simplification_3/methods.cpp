@@ -225,7 +225,7 @@ Setting with_parameters(const std::string& parameters)
   set("smooth_points", settings.smooth_points);
   set("residuals_explained_by_noise", settings.residuals_explained_by_noise);
   set("weight_of_height", settings.weight_of_height);
-  set("momentum", settings.momentum);
+  set("turns", settings.turns);
   set("length_of_first_steps", settings.length_of_first_steps);
   set("least_weight_of_neighbors", settings.least_weight_of_neighbors);
   set("keep_borders", settings.keep_borders);

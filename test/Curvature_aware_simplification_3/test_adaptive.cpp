@@ -481,37 +481,66 @@ TEST(Relaxation, has_steps_that_shrink_in_ten_iterations_or_fewer)
   EXPECT_EQ(length_of_steps(2., 0, 1), 1.);
 }
 
-TEST(Relaxation, evens_out_faster_with_momentum_and_long_first_steps)
+// Samples on a square, those that `is_wanted` returns true for, after the relaxation
+template <typename Is_wanted>
+std::vector<Point> relaxed_on_a_square(const Adaptive_settings& settings, std::size_t iterations,
+                                       const Is_wanted& is_wanted)
 {
   const std::vector<Point> points = surfaces::square(20000, 9);
   const Neighbor_search search(points, Tag());
+  Surface_fit fit{search, points.size()};
+  fit.settings = settings;
+  std::vector<Surface_sample> samples;
+  for (const Point& p : points)
+    if (is_wanted(p))
+    {
+      samples.emplace_back();
+      samples.back().spacing = lattice_spacing(400.);
+      samples.back().place(fit, p, CGAL::NULL_VECTOR, rounds_to_move);
+    }
+  relax_on_surface<Tag>(samples, fit, iterations, 0.45, Progress(no_callback));
+  return points_of<Tag>(samples);
+}
+
+TEST(Relaxation, evens_out_faster_with_long_first_steps)
+{
   // three quarters of the samples start in the left half, and flow to the right
-  const auto samples_on_the_left =
-      [&](double momentum, double length_of_first_steps, std::size_t iterations)
+  const auto samples_on_the_left = [](double length_of_first_steps, std::size_t iterations)
   {
-    Surface_fit fit{search, points.size()};
-    fit.settings.momentum = momentum;
-    fit.settings.length_of_first_steps = length_of_first_steps;
-    std::vector<Surface_sample> samples;
+    Adaptive_settings settings;
+    settings.length_of_first_steps = length_of_first_steps;
     std::size_t left = 0, right = 0;
-    for (const Point& p : points)
-      if (p.x() < 0.5 ? left++ < 300 : right++ < 100)
-      {
-        samples.emplace_back();
-        samples.back().spacing = lattice_spacing(400.);
-        samples.back().place(fit, p, CGAL::NULL_VECTOR, rounds_to_move);
-      }
-    relax_on_surface<Tag>(samples, fit, iterations, 0.45, Progress(no_callback));
-    return static_cast<double>(std::count_if(
-        samples.begin(), samples.end(), [](const Surface_sample& x) { return x.point.x() < 0.5; }));
+    const std::vector<Point> samples = relaxed_on_a_square(settings, iterations,
+                                                           [&](const Point& p) {
+      return p.x() < 0.5 ? left++ < 300 : right++ < 100;
+    });
+    return std::count_if(samples.begin(), samples.end(),
+                         [](const Point& p) { return p.x() < 0.5; });
   };
-  const double plain = samples_on_the_left(0., 1., 10);
-  const double with_momentum = samples_on_the_left(0.4, 1., 10);
-  EXPECT_LT(with_momentum, plain - 2.);
-  EXPECT_NEAR(with_momentum, samples_on_the_left(0., 1., 16), 2.);
-  EXPECT_LT(samples_on_the_left(0.4, 2., 10), with_momentum - 2.);
+  EXPECT_LT(samples_on_the_left(2.5, 10), samples_on_the_left(1., 10) - 5);
   // one iteration is the last one
-  EXPECT_EQ(samples_on_the_left(0., 1., 1), samples_on_the_left(0., 2., 1));
+  EXPECT_EQ(samples_on_the_left(1., 1), samples_on_the_left(2.5, 1));
+}
+
+TEST(Relaxation, leaves_no_two_samples_close_when_they_take_turns)
+{
+  // the least distance of two of 400 samples from a random start, in spacings of a lattice
+  const auto least_distance = [](std::size_t turns)
+  {
+    Adaptive_settings settings;
+    settings.turns = turns;
+    std::size_t number = 0;
+    const std::vector<Point> samples =
+        relaxed_on_a_square(settings, 10, [&](const Point&) { return number++ < 400; });
+    double least = 1.;
+    for (std::size_t i = 0; i < samples.size(); ++i)
+      for (std::size_t j = 0; j < i; ++j)
+        least = (std::min)(least, CGAL::squared_distance(samples[i], samples[j]));
+    return std::sqrt(least) / lattice_spacing(400.);
+  };
+  const double at_once = least_distance(1), in_turns = least_distance(4);
+  EXPECT_GT(in_turns, 0.6);
+  EXPECT_GT(in_turns, at_once);
 }
 
 TEST(Denoising, takes_the_part_of_a_step_with_the_least_expected_error)

@@ -29,7 +29,6 @@ struct Surface_sample
   Noise noise;           // of the input around
   Point point = Point(0., 0., 0.);
   Vector normal = Vector(0., 0., 1.);
-  Vector last_move = Vector(0., 0., 0.); // in the last iteration
 
   void move_to(double new_a, double new_b)
   {

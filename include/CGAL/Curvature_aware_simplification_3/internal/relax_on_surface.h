@@ -139,22 +139,31 @@ Sample_neighbors relax_on_surface(std::vector<Surface_sample>& samples, const Su
     const Progress iteration_progress =
         progress.part(static_cast<double>(iteration) / iterations,
                       static_cast<double>(iteration + 1) / iterations);
-    for_each_index<ConcurrencyTag>(samples.size(), iteration_progress,
-                                   [&](std::size_t i)
-                                   {
-      Surface_sample& x = samples[i];
-      // Repulsion alone evens out the density as slowly as heat spreads. Momentum shortens that:
-      // where a sample goes on in one direction, it goes 1 / (1 - momentum) times as far.
-      const Vector in_plane = x.last_move - (x.last_move * x.normal) * x.normal;
-      const Vector step =
-          weight * tangential_repulsion(x, neighbors.of(i), points, spacings, fit.settings) +
-          fit.settings.momentum * in_plane;
-      move_on_surface(x, step, fit);
-      x.last_move = x.point - points[i];
-      moved[i] = std::sqrt(x.last_move.squared_length()) / x.spacing;
-    });
-    for_each_index<ConcurrencyTag>(0, samples.size(),
-                                   [&](std::size_t i) { points[i] = samples[i].point; });
+    // Samples that are neighbors on the Hilbert curve have different turns.
+    const std::size_t turns = (std::min)(fit.settings.turns, samples.size());
+    for (std::size_t turn = 0; turn < turns; ++turn)
+    {
+      const std::size_t number = (samples.size() - turn + turns - 1) / turns;
+      const Progress turn_progress =
+          iteration_progress.part(static_cast<double>(turn) / static_cast<double>(turns),
+                                  static_cast<double>(turn + 1) / static_cast<double>(turns));
+      for_each_index<ConcurrencyTag>(number, turn_progress,
+                                     [&](std::size_t n)
+                                     {
+        const std::size_t i = turn + n * turns;
+        Surface_sample& x = samples[i];
+        const Vector repulsion =
+            tangential_repulsion(x, neighbors.of(i), points, spacings, fit.settings);
+        move_on_surface(x, weight * repulsion, fit);
+        moved[i] = std::sqrt(squared_distance(x.point, points[i])) / x.spacing;
+      });
+      for_each_index<ConcurrencyTag>(0, number,
+                                     [&](std::size_t n)
+                                     {
+        const std::size_t i = turn + n * turns;
+        points[i] = samples[i].point;
+      });
+    }
     const double mean_move =
         mean<ConcurrencyTag>(moved.size(), [&](std::size_t i) { return moved[i]; });
     if (mean_move < at_rest)
