@@ -933,13 +933,13 @@ TEST(Smoothing, is_where_noise_is_visible)
   EXPECT_EQ(left.at(15000).independent_level, 0.002);
 }
 
-TEST(Smoothing, reaches_no_further_than_the_samples_see)
+TEST(Smoothing, reaches_less_far_where_noise_is_strong_against_the_spacing_of_the_samples)
 {
   const Noise noise{0.1, 0.1};
   EXPECT_DOUBLE_EQ(smoothing_radius(noise, far_samples), 0.4);
-  EXPECT_DOUBLE_EQ(smoothing_radius(noise, 0.32), 0.4);
-  EXPECT_DOUBLE_EQ(smoothing_radius(noise, 0.28), 0.35);
-  EXPECT_DOUBLE_EQ(smoothing_radius(noise, 0.2), 0.3);
+  EXPECT_DOUBLE_EQ(smoothing_radius(noise, 0.4), 0.4);
+  EXPECT_DOUBLE_EQ(smoothing_radius(noise, 0.1), 0.16); // as wide as the spacing
+  EXPECT_DOUBLE_EQ(smoothing_radius(noise, 0.0125), 0.04);
   EXPECT_DOUBLE_EQ(smoothing_radius(Noise{0., 0.}, 0.2), 0.);
 }
 

@@ -82,9 +82,10 @@ inline Smoothed_point smooth_point(const Surface_fit& fit, const Point& x, doubl
   neighborhood.radius = (std::max)(neighborhood.radius, 2. * radius);
   neighborhood.weight_by_distance();
   Local_surface surface;
-  // further than 3 sigma, noise hardly carries a point: it is on another sheet, or the fit is wrong
+  // further than that, noise hardly carries a point: it is on another sheet, or the fit is wrong
+  const double farthest = 4. * fit.noise.level;
   if (!fit_quadric_over_plane(neighborhood, fit.noise.level, surface) ||
-      !(surface.error < fit.noise.level) || !(std::abs(surface.c[0]) <= radius))
+      !(surface.error < fit.noise.level) || !(std::abs(surface.c[0]) <= farthest))
     return unchanged;
   const double share = share_explained_by_noise(fit, variance_of_residuals(neighborhood, surface));
   const double variance = share * surface.error * surface.error + (1. - share) * unchanged.variance;
