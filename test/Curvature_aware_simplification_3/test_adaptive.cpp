@@ -619,6 +619,20 @@ TEST(Noise_level, is_found_on_smooth_surfaces)
   EXPECT_NEAR(noise_of(with_noise(surfaces::square(20000, 8), 0.05, 10)) / 0.05, 1., 0.5);
 }
 
+TEST(Noise_level, is_that_of_one_of_two_close_sheets)
+{
+  // sheets with the noise 1 at heights of a and -a: s^2 = a^2 + 1, kurtosis -2 a^4 / s^4
+  EXPECT_NEAR(noise_in_thickness({std::sqrt(3.), 1., 1., -8. / 9.}), 1. / std::sqrt(3.), 1e-15);
+  EXPECT_EQ(noise_in_thickness({1., 1., 1., -2.}), 0.);
+  EXPECT_EQ(noise_in_thickness({1., 1., 1., -0.6}), 1.); // of one sheet, cut off by a ball
+  // With noise of four spacings of the points, three sigma apart, neither is seen alone. The thickness
+  // of both together is 1.8 sigma.
+  std::vector<Point> points;
+  for (const Point& p : surfaces::square(40000, 8))
+    points.emplace_back(p.x(), p.y(), points.size() % 2 == 0 ? 0.03 : -0.03);
+  EXPECT_NEAR(noise_of(with_noise(std::move(points), 0.02, 10)) / 0.02, 1., 0.25);
+}
+
 TEST(Noise_level, is_small_without_noise)
 {
   EXPECT_LT(noise_of(surfaces::square(20000, 11)), 1e-9);

@@ -27,6 +27,7 @@ struct Layer
   double thickness = 0.; // standard deviation of the heights
   double width = 0.;     // radius of a disk with the lesser of the two extents in its plane
   double length = 0.;    // and with the greater
+  double kurtosis = 0.;  // of the heights, over that of a normal distribution
 };
 
 // The thickness from a sum of squared residuals of n points over a fitted surface, such that of Gaussian
@@ -63,15 +64,18 @@ struct Layer_around_quadric
     Local_surface surface;
     if (!(neighborhood.radius > 0.) || !fit_quadric_over_plane(neighborhood, 0., surface))
       return Layer();
-    double sum = 0.;
+    double sum = 0., sum_of_fourth_powers = 0.;
     for (const Neighborhood::Neighbor& neighbor : neighborhood.neighbors)
     {
       const double e = surface.residual(neighbor.position);
       sum += e * e;
+      sum_of_fourth_powers += e * e * e * e;
     }
     const Eigen::Vector3d lambda = eigenvalues(covariance_sums(neighborhood));
+    const double n = static_cast<double>(neighborhood.size());
+    const double kurtosis = sum > 0. ? n * (sum_of_fourth_powers / sum) / sum - 3. : 0.;
     return {thickness(sum, neighborhood.size(), 6.), radius_of_disk(lambda(1)),
-            radius_of_disk(lambda(2))};
+            radius_of_disk(lambda(2)), kurtosis};
   }
 };
 
@@ -85,7 +89,7 @@ struct Layer_around_plane
     const Eigen::Vector3d lambda = eigenvalues(covariance_sums(neighborhood));
     const std::size_t n = neighborhood.size();
     return {thickness((std::max)(lambda(0), 0.) * static_cast<double>(n), n, 3.),
-            radius_of_disk(lambda(1)), radius_of_disk(lambda(2))};
+            radius_of_disk(lambda(1)), radius_of_disk(lambda(2)), 0.};
   }
 };
 

@@ -86,7 +86,8 @@ std::vector<Layer> median_layers(const Noise_probes& probes, const std::vector<s
     const std::vector<std::size_t>& of_range = probes.of_range[ranges[r]];
     medians[ranges[r]] = {median_of(of_range, [&](std::size_t i) { return layers[i].thickness; }),
                           median_of(of_range, [&](std::size_t i) { return layers[i].width; }),
-                          median_of(of_range, [&](std::size_t i) { return layers[i].length; })};
+                          median_of(of_range, [&](std::size_t i) { return layers[i].length; }),
+                          median_of(of_range, [&](std::size_t i) { return layers[i].kurtosis; })};
   });
   return medians;
 }

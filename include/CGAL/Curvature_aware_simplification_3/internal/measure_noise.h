@@ -35,6 +35,17 @@ inline double noise_of_layers(const Layer& narrow, const Layer& wide)
       0., (4. * narrow.thickness * narrow.thickness - wide.thickness * wide.thickness) / 3.));
 }
 
+// The part of the thickness that is noise where a layer is so thick that it may be two sheets, at heights of a
+// and -a with noise sigma: s^2 = a^2 + sigma^2, and the excess kurtosis is -2 a^4 / s^4. It is about -0.45 for a single
+// sheet, whose noise is cut off by the ball that layers are taken from, and -0.5 where two sheets begin to show as two.
+inline double noise_in_thickness(const Layer& layer)
+{
+  constexpr double surely_two_sheets = -0.65;
+  return layer.kurtosis < surely_two_sheets
+             ? std::sqrt((std::max)(0., 1. - std::sqrt(-layer.kurtosis / 2.)))
+             : 1.;
+}
+
 inline std::vector<std::size_t> all_ranges(const Noise_probes& probes)
 {
   std::vector<std::size_t> ranges(probes.of_range.size());
@@ -45,9 +56,10 @@ inline std::vector<std::size_t> all_ranges(const Noise_probes& probes)
 // The noise of each range that layers around quadrics show. The narrower layer must be wide against the
 // noise: in one as thick as wide, a fit turns along the noise.
 //
-// Where there is no such k up to about 500, the noise is all there is to see, and sigma is the thickness;
-// but if that is more than the median, it may be that of a thin part, and the median counts. If the points
-// end before for most ranges, they are too few to tell noise from shape, and are taken as they are.
+// Where the narrowest is not, it may be two sheets. Where there is no such k up to about 500, the noise is all there is
+// to see, and sigma is the thickness; but if that is more than the median, it may be that of a thin part, and
+// the median counts. If the points end before for most ranges, they are too few to tell noise from shape, and are
+// taken as they are.
 template <typename ConcurrencyTag>
 std::vector<double> noise_around_quadrics(const Noise_probes& probes, const Neighbor_search& search,
                                           std::size_t number_of_points)
@@ -69,10 +81,12 @@ std::vector<double> noise_around_quadrics(const Noise_probes& probes, const Neig
     std::vector<std::size_t> thick;
     for (std::size_t range : unknown)
       if (narrow[range].width >= wide_enough * narrow[range].thickness)
-        levels[range] = noise_of_layers(narrow[range], wide[range]);
+        levels[range] = noise_of_layers(narrow[range], wide[range]) *
+                        (k > smallest ? noise_in_thickness(wide[range]) : 1.);
       else
       {
-        levels[range] = wide[range].thickness; // until a larger size tells more
+        // until a larger size tells more
+        levels[range] = wide[range].thickness * noise_in_thickness(wide[range]);
         thick.push_back(range);
       }
     unknown.swap(thick);
