@@ -27,6 +27,7 @@ IDEAS = [
     ("clusters not taken for outliers", "find_clusters=0"),
     ("noise not measured", "measure_noise=0"),
     ("the same noise everywhere", "noise_by_place=0"),
+    ("two noisy sheets not told from one", "tell_two_sheets=0"),
     ("noise measured around quadrics only", "noise_around_planes=0"),
     ("points not smoothed first", "smooth_points=0"),
     ("points smoothed all the same where fits miss the shape",

@@ -23,6 +23,8 @@ struct Adaptive_settings
   bool measure_noise = true;
   // Each range of the Hilbert curve has the noise of its place; without, all have the median.
   bool noise_by_place = true;
+  // Where layers are as thick as wide, two sheets are told from one.
+  bool tell_two_sheets = true;
   // Noise is what fits of quadrics and of planes both show; without, quadrics alone.
   bool noise_around_planes = true;
 

@@ -62,7 +62,8 @@ inline std::vector<std::size_t> all_ranges(const Noise_probes& probes)
 // taken as they are.
 template <typename ConcurrencyTag>
 std::vector<double> noise_around_quadrics(const Noise_probes& probes, const Neighbor_search& search,
-                                          std::size_t number_of_points)
+                                          std::size_t number_of_points,
+                                          const Adaptive_settings& settings)
 {
   constexpr std::size_t smallest = 17, largest = 1000;
   // The width over the thickness. With 4, edges are lost in the neighborhoods of CAD parts with noise (p99 up
@@ -71,6 +72,8 @@ std::vector<double> noise_around_quadrics(const Noise_probes& probes, const Neig
 
   const auto layers = [&](const std::vector<std::size_t>& ranges, std::size_t k)
   { return median_layers<ConcurrencyTag>(probes, ranges, search, k, Layer_around_quadric()); };
+  const auto noise_in = [&](const Layer& layer)
+  { return settings.tell_two_sheets ? noise_in_thickness(layer) : 1.; };
   std::vector<std::size_t> unknown = all_ranges(probes);
   std::vector<double> levels(unknown.size());
   std::size_t k = smallest;
@@ -82,11 +85,11 @@ std::vector<double> noise_around_quadrics(const Noise_probes& probes, const Neig
     for (std::size_t range : unknown)
       if (narrow[range].width >= wide_enough * narrow[range].thickness)
         levels[range] = noise_of_layers(narrow[range], wide[range]) *
-                        (k > smallest ? noise_in_thickness(wide[range]) : 1.);
+                        (k > smallest ? noise_in(wide[range]) : 1.);
       else
       {
         // until a larger size tells more
-        levels[range] = wide[range].thickness * noise_in_thickness(wide[range]);
+        levels[range] = wide[range].thickness * noise_in(wide[range]);
         thick.push_back(range);
       }
     unknown.swap(thick);
@@ -132,7 +135,8 @@ Noise_levels measure_noise(const std::vector<Point>& points, const Neighbor_sear
                            const Adaptive_settings& settings = Adaptive_settings())
 {
   const Noise_probes probes = noise_probes<ConcurrencyTag>(points);
-  std::vector<double> levels = noise_around_quadrics<ConcurrencyTag>(probes, search, points.size());
+  std::vector<double> levels =
+      noise_around_quadrics<ConcurrencyTag>(probes, search, points.size(), settings);
   if (settings.noise_around_planes)
   {
     const std::vector<double> around_planes = noise_around_planes<ConcurrencyTag>(probes, search);
