@@ -95,10 +95,10 @@ inline Smoothed_point smooth_point(const Surface_fit& fit, const Point& x, doubl
 
 // The noise that is left where points were smoothed and thinned: the mean of their variances, by range
 template <typename ConcurrencyTag>
-Noise_levels noise_left(const Noise_levels& noise, const Thinned_points& thinned,
+Noise_levels noise_left(const Noise_levels& noise, const std::vector<std::size_t>& kept_points,
                         const std::vector<double>& variance)
 {
-  Noise_levels left = noise.of_some(thinned.kept);
+  Noise_levels left = noise.of_some(kept_points);
   for_each_index<ConcurrencyTag>(0, left.of_range.size(),
                                  [&](std::size_t range)
                                  {
@@ -106,13 +106,12 @@ Noise_levels noise_left(const Noise_levels& noise, const Thinned_points& thinned
     const std::size_t begin = left.first_point[range], end = left.first_point[range + 1];
     if (!here.is_visible || begin == end) // not smoothed, or none is left
       return;
-    double points = 0., sum = 0.;
+    double sum = 0.;
     for (std::size_t i = begin; i < end; ++i)
-    {
-      points += thinned.number[i];
       sum += variance[i];
-    }
     const double kept = static_cast<double>(end - begin);
+    const double points =
+        static_cast<double>(noise.first_point[range + 1] - noise.first_point[range]);
     here.independent_level = here.level * std::sqrt(kept / points);
     here.level = std::sqrt(sum / kept);
   });
@@ -130,11 +129,12 @@ Noise_levels smooth_points(std::vector<Point>& points, std::vector<double>& inve
                            const Progress& progress)
 {
   const Surface_fit fit{search, points.size(), Noise(), settings}; // each point has its own noise
-  const Thinned_points thinned =
+  Thinned_points thinned =
       thin_points<ConcurrencyTag>(inverse_density, noise, number_of_samples, spacing_of_samples);
   const std::size_t kept = thinned.kept.size();
   std::vector<Point> smoothed(kept);
-  std::vector<double> variance(kept), inverse_density_of_kept(kept);
+  std::vector<double> variance(kept);
+  std::vector<double>& inverse_density_of_kept = thinned.number; // which it takes the place of
   std::vector<std::uint8_t> is_kept_bent(kept);
   for_each_index<ConcurrencyTag>(kept, progress,
                                  [&](std::size_t i)
@@ -144,13 +144,13 @@ Noise_levels smooth_points(std::vector<Point>& points, std::vector<double>& inve
         smooth_point(fit.with(noise.at(j)), points[j], inverse_density[j], spacing_of_samples);
     smoothed[i] = result.point;
     variance[i] = result.variance;
-    inverse_density_of_kept[i] = inverse_density[j] * thinned.number[i];
+    inverse_density_of_kept[i] *= inverse_density[j];
     is_kept_bent[i] = is_bent[j];
   });
   points.swap(smoothed);
   inverse_density.swap(inverse_density_of_kept);
   is_bent.swap(is_kept_bent);
-  return noise_left<ConcurrencyTag>(noise, thinned, variance);
+  return noise_left<ConcurrencyTag>(noise, thinned.kept, variance);
 }
 
 } // namespace internal
