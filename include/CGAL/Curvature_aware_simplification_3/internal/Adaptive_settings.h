@@ -65,7 +65,7 @@ struct Adaptive_settings
   double least_weight_of_neighbors = 1.;
   // In an iteration, samples move in so many turns, each away from where the others have moved before, as
   // in a Gauss-Seidel method: where all moved at once, two neighbors would both leave a place for the
-  // same gap. Two turns gain less, eight no more than five.
+  // same gap. Two turns gain less, eight no more.
   std::size_t turns = 4;
   // The first steps of the relaxation are so many times as long as later ones, and what is between
   // shrinks evenly: long steps carry samples to where they are wanted, short ones let them settle. With

@@ -93,7 +93,8 @@ inline Smoothed_point smooth_point(const Surface_fit& fit, const Point& x, doubl
   return {x + share * (surface.origin - x), variance};
 }
 
-// The noise that is left where points were smoothed and thinned: the mean of their variances, by range
+// The noise that is left where points were smoothed and thinned: the mean of the variances of those that were
+// kept, by range
 template <typename ConcurrencyTag>
 Noise_levels noise_left(const Noise_levels& noise, const std::vector<std::size_t>& kept_points,
                         const std::vector<double>& variance)
