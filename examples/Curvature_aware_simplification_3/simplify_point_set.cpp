@@ -79,7 +79,7 @@ std::optional<Options> read_options(int argc, char* argv[])
   paper.add_options()("paper", po::bool_switch(&options.settings_of_the_paper),
                       "the literal method of the paper, for comparison")(
       "curvature-weight,w", po::value(&options.curvature_weight)->default_value(0.75),
-      "weight of the curvature in the selection, from 0 to 1")(
+      "weight of the curvature in the selection, from 0 to 1; also with --subset")(
       "curvature-dependence,d", po::value(&options.curvature_dependence)->default_value(2.),
       "dependence of the relaxation on the curvature, at least 0; 0: none")(
       "radius,r", po::value<double>(),
@@ -118,6 +118,9 @@ std::optional<Options> read_options(int argc, char* argv[])
     { return values.count(name) != 0 && !values[name].defaulted(); };
     if (is_given("curvature-weight") && !options.settings_of_the_paper && !options.subset)
       throw Error("--curvature-weight needs --paper or --subset; see simplify_point_set --help");
+    if (is_given("iterations") && options.subset)
+      throw Error(
+          "--iterations needs points that move, without --subset; see simplify_point_set --help");
     for (const char* name : {"curvature-dependence", "radius"})
       if (is_given(name) && (!options.settings_of_the_paper || options.subset))
         throw Error(std::string("--") + name +

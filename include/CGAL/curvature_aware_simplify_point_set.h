@@ -6,6 +6,7 @@
 #ifndef CGAL_CURVATURE_AWARE_SIMPLIFY_POINT_SET_H
 #define CGAL_CURVATURE_AWARE_SIMPLIFY_POINT_SET_H
 
+#include <CGAL/Curvature_aware_simplification_3/internal/Adaptive_settings.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/simplify_point_set.h>
 #include <CGAL/Curvature_aware_simplification_report.h>
 
@@ -29,7 +30,7 @@ input:
    left out of what follows, unless fewer than \f$N\f$ points, or than half of them, would be left: then
    none are taken for outliers.
 -# The standard deviation \f$\sigma\f$ of the noise is estimated, by place, from what local quadrics
-   leave. Where it is visible at the distance of the output points, the points are first smoothed, each by
+   and planes leave. Where it is visible at the distance of the output points, the points are first smoothed, each by
    a fit to its nearest.
 -# The density of the output follows the curvature \f$c\f$ at the distance of the output points, as
    \f$c^{\alpha}\f$, where \f$\sigma\f$ does not explain it, and not the density of the input.
@@ -40,7 +41,8 @@ input:
    borders.
 -# Where there is noise, samples move towards fits to more neighbors, as far as noise explains the
    difference.
--# Samples next to a sharp edge move onto it.
+-# Without noise and outliers, samples of thin parts whose fits miss the nearest points move to these. Samples
+   next to a sharp edge move onto it, and those next to a corner of a border into it.
 
 What was found is told by `simplification_report`. The manual has the details.
 
@@ -140,7 +142,7 @@ input then, so that a permutation of the input gives another selection.
     \cgalParamDescription{the factor \f$\mu\f$ of the repulsion}
     \cgalParamType{floating scalar value, at least 0 and below 0.5}
     \cgalParamDefault{`0.45`}
-    \cgalParamExtra{The first of several iterations takes twice this factor, which shrinks evenly until the
+    \cgalParamExtra{The first of several iterations takes 2.5 times this factor, which shrinks evenly until the
                     tenth, or the last if there are fewer; with the settings of the paper, it is always the same.}
   \cgalParamNEnd
 

@@ -441,6 +441,36 @@ TEST(Box_of_most_points, does_not_depend_on_the_order)
   }
 }
 
+TEST(Box_of_most_points, names_the_point_that_is_far)
+{
+  CGAL::Random random(27);
+  std::vector<Point> points;
+  for (int i = 0; i < 1000; ++i) // a plate with a bump
+    points.emplace_back(random.uniform_real(0., 1.), random.uniform_real(0., 1.),
+                        i < 40 ? 0.1 : 0.);
+  points.emplace_back(0.5, -1e200, 0.);
+  const CGAL::Bbox_3 box = CGAL::bbox_3(points.begin(), points.end());
+  try
+  {
+    box_of_most_points(points, box);
+    FAIL() << "no exception";
+  }
+  catch (const std::invalid_argument& error)
+  {
+    EXPECT_NE(std::string(error.what()).find("index 1000 "), std::string::npos) << error.what();
+  }
+}
+
+TEST(Box_of_most_points, does_not_keep_step_with_the_rows_of_a_scan)
+{
+  CGAL::Random random(28);
+  std::vector<Point> points;
+  for (int i = 0; i < 20000; ++i) // every 42nd is far: every other one of 1000 evenly spread
+    points.emplace_back(random.uniform_real(0., 1.) + (i % 42 == 0 ? 500. : 0.), 0., 0.);
+  const CGAL::Bbox_3 box = CGAL::bbox_3(points.begin(), points.end());
+  EXPECT_LT(box_of_most_points(points, box).xmax(), 3.);
+}
+
 TEST(Frame, has_a_diagonal_near_one_for_any_unit)
 {
   for (double scale : {1e-320, 1e-300, 1e-6, 1., 1e6, 1e300})

@@ -11,7 +11,6 @@
 #include <CGAL/Curvature_aware_simplification_3/internal/fit_local_surface.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/loops.h>
 
-#include <cmath>
 #include <cstddef>
 #include <vector>
 

@@ -6,6 +6,7 @@
 #ifndef CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_BOX_OF_MOST_POINTS_H
 #define CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_BOX_OF_MOST_POINTS_H
 
+#include <CGAL/Curvature_aware_simplification_3/internal/Counter_based_random.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Neighbor_search.h>
 
 #include <CGAL/Bbox_3.h>
@@ -28,17 +29,19 @@ inline double half_of_longest_side(const Bbox_3& box)
                      box.zmax() / 2. - box.zmin() / 2.});
 }
 
-// Twice the box of the middle of each coordinate, without a `share` of the points at each end, of every `step`-th
-// point. O(n)
-inline Bbox_3 twice_the_middle_box(const std::vector<Point>& points, double share, std::size_t step)
+// Twice the box of the middle of each coordinate, without a `share` of the points at each end, of the points with
+// the indices index(0), index(1), ..., index(number - 1). O(number)
+template <typename Index>
+Bbox_3 twice_the_middle_box(const std::vector<Point>& points, double share, std::size_t number,
+                            const Index& index)
 {
   double lower[3], upper[3];
   std::vector<double> values;
   for (int axis = 0; axis < 3; ++axis)
   {
     values.clear();
-    for (std::size_t i = 0; i < points.size(); i += step)
-      values.push_back(points[i][axis]);
+    for (std::size_t i = 0; i < number; ++i)
+      values.push_back(points[index(i)][axis]);
     const auto outside = static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size()));
     std::nth_element(values.begin(), values.begin() + outside, values.end());
     const double low = values[static_cast<std::size_t>(outside)];
@@ -65,9 +68,18 @@ inline bool is_difference_finite(const Bbox_3& box, const Bbox_3& most)
 
 [[noreturn]] inline void throw_point_too_far(const std::vector<Point>& points, const Bbox_3& most)
 {
-  std::size_t i = 0;
-  while (do_overlap(points[i].bbox(), most))
-    ++i;
+  // halves, since the difference of two coordinates may be more than the largest number
+  const auto half_of_distance = [&](const Point& p)
+  {
+    double half = 0.;
+    for (int axis = 0; axis < 3; ++axis)
+      half = (std::max)(half, std::abs(p[axis] / 2. - (most.min(axis) / 4. + most.max(axis) / 4.)));
+    return half;
+  };
+  const auto farthest = std::max_element(points.begin(), points.end(),
+                                         [&](const Point& p, const Point& q)
+                                         { return half_of_distance(p) < half_of_distance(q); });
+  const std::ptrdiff_t i = farthest - points.begin();
   throw std::invalid_argument("points: the point at index " + std::to_string(i) +
                               " is more than 1e140 times as far from most others as these are from "
                               "each other");
@@ -84,16 +96,23 @@ inline Bbox_3 box_of_most_points(const std::vector<Point>& points, const Bbox_3&
   constexpr double no_digits = 1e140;
   // One in twenty on each side is what may be far; of most shapes, twice the rest holds all.
   constexpr double few = 0.05;
-  // Some points tell, nearly always, that there are none. To be independent of the order of the points, the
-  // answer must not depend on the choice of these: where twice as many are left out, few are not among the rest.
+  // Some points tell that there are none, and save the time for all. To be independent of the order of the points,
+  // the answer must not depend on the choice of these: it is random, since the rows of a scan could keep step
+  // with a regular one, and where twice as many are left out, one in twenty is not among the rest (seven
+  // standard deviations).
   constexpr std::size_t probes = 1000;
   constexpr double clearly_not_far = 10.;
 
   const double size = half_of_longest_side(box);
-  const Bbox_3 estimate = twice_the_middle_box(points, 2. * few, points.size() / probes + 1);
+  const Counter_based_random random(0, 0);
+  const Bbox_3 estimate = twice_the_middle_box(points, 2. * few, (std::min)(probes, points.size()),
+                                               [&](std::size_t i) {
+    return points.size() > probes ? random.bits(i) % points.size() : i;
+  });
   if (half_of_longest_side(estimate) * clearly_not_far > size)
     return box;
-  const Bbox_3 most = twice_the_middle_box(points, few, 1);
+  const Bbox_3 most =
+      twice_the_middle_box(points, few, points.size(), [](std::size_t i) { return i; });
   const double size_of_most = half_of_longest_side(most);
   if (size_of_most > 0. && size_of_most <= size / no_digits)
     throw_point_too_far(points, most);

@@ -12,7 +12,6 @@
 #include <CGAL/Curvature_aware_simplification_3/internal/loops.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <vector>
 

@@ -16,7 +16,6 @@
 
 #include <CGAL/number_type_config.h>
 
-#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <functional>

@@ -17,7 +17,6 @@
 #include <CGAL/Curvature_aware_simplification_3/internal/measure_noise.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/move_to_corners.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/move_to_edges.h>
-#include <CGAL/Curvature_aware_simplification_3/internal/move_to_targets.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/parameters.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/prefix_sums.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/relax_on_surface.h>

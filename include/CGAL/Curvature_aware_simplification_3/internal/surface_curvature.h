@@ -44,7 +44,7 @@ inline constexpr double order_of_mean = 2. / 3.;
 
 // The curvature at the distance of the samples, by how far the points of a ball are off a plane: in balls
 // with a radius R of 1.5 spacings, it is sqrt(lambda_0) / R^2 up to a constant. From lambda_0, sigma^2 is taken
-// off for the noise. Balls are no smaller than 3 sigma.
+// off for the noise. R is 3 sigma at least; what is sparse or dense has larger or smaller balls, as below.
 template <typename ConcurrencyTag>
 Surface_curvature surface_curvature(const std::vector<Point>& points,
                                     const std::vector<double>& inverse_density,
