@@ -88,6 +88,7 @@ must_fail 'radius needs --paper' -r 0.3 patch.xyz new.ply
 must_fail 'radius needs --paper without --subset' --paper --subset -r 0.3 patch.xyz new.ply
 must_fail 'curvature-dependence needs --paper' --subset -d 1 patch.xyz new.ply
 must_fail 'curvature-weight needs --paper or --subset' -w 0.5 patch.xyz new.ply
+must_fail 'iterations needs points that move' --subset -i 5 patch.xyz new.ply
 must_fail "cannot open missing.ply" missing.ply out.xyz
 must_fail "cannot open folder.ply" folder.ply out.xyz
 must_fail "empty.off holds no points" empty.off out.xyz
