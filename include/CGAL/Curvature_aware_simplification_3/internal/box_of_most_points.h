@@ -99,7 +99,7 @@ inline Bbox_3 box_of_most_points(const std::vector<Point>& points, const Bbox_3&
   // Some points tell that there are none, and save the time for all. To be independent of the order of the points,
   // the answer must not depend on the choice of these: it is random, since the rows of a scan could keep step
   // with a regular one, and where twice as many are left out, one in twenty is not among the rest (seven
-  // standard deviations).
+  // standard deviations). If there are no more than that, all tell.
   constexpr std::size_t probes = 1000;
   constexpr double clearly_not_far = 10.;
 
