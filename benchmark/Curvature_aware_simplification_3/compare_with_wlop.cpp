@@ -3,12 +3,11 @@
 //
 //   compare_with_wlop MESH NUMBER_OF_OUTPUT_POINTS [ROUNDS]
 
-#include <CGAL/AABB_traits.h>
-#include <CGAL/AABB_tree.h>
-#include <CGAL/AABB_triangle_primitive.h>
+#include <comparison/reference.h>
+#include <comparison/types.h>
+
 #include <CGAL/IO/polygon_soup_io.h>
 #include <CGAL/Real_timer.h>
-#include <CGAL/Simple_cartesian.h>
 #include <CGAL/curvature_aware_simplify_point_set.h>
 #include <CGAL/pca_estimate_normals.h>
 #include <CGAL/wlop_simplify_and_regularize_point_set.h>
@@ -22,14 +21,12 @@
 #include <iostream>
 #include <iterator>
 #include <string>
+#include <utility>
 #include <vector>
 
-using Kernel = CGAL::Simple_cartesian<double>;
-using Point = Kernel::Point_3;
-using Triangle = Kernel::Triangle_3;
-using Primitive = CGAL::AABB_triangle_primitive<Kernel, std::vector<Triangle>::iterator>;
-using Tree = CGAL::AABB_tree<CGAL::AABB_traits<Kernel, Primitive>>;
-using Tag = CGAL::Parallel_if_available_tag;
+using comparison::Kernel;
+using comparison::Point;
+using comparison::Tag;
 namespace np = CGAL::parameters;
 
 struct Method
@@ -52,15 +49,13 @@ int main(int argc, char* argv[])
   const std::size_t n = std::stoul(argv[2]);
   const std::size_t rounds = argc > 3 ? std::stoul(argv[3]) : 5;
 
-  std::vector<Triangle> triangles;
+  comparison::Mesh mesh{points, {}};
   for (const std::vector<std::size_t>& face : faces)
     for (std::size_t i = 2; i < face.size(); ++i)
-      triangles.emplace_back(points[face[0]], points[face[i - 1]], points[face[i]]);
-  Tree tree(triangles.begin(), triangles.end());
-  tree.accelerate_distance_queries();
+      mesh.triangles.push_back({face[0], face[i - 1], face[i]});
+  const comparison::Mesh_distance distance_to_mesh(mesh);
 
-  const CGAL::Bbox_3 box = CGAL::bbox_3(points.begin(), points.end());
-  const double diagonal = std::hypot(box.x_span(), box.y_span(), box.z_span());
+  const double diagonal = comparison::diagonal(points);
   const double size = static_cast<double>(points.size());
   const double paper_radius = 4. * diagonal / std::sqrt(size);
   const double percentage = 100. * (static_cast<double>(n) + 0.5) / size;
@@ -124,7 +119,7 @@ int main(int argc, char* argv[])
     double sum = 0., largest = 0.;
     for (const Point& p : method.output)
     {
-      const double distance = std::sqrt(tree.squared_distance(p)) / diagonal;
+      const double distance = distance_to_mesh(p) / diagonal;
       sum += distance;
       largest = std::max(largest, distance);
     }

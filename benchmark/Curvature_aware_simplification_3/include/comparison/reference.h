@@ -3,10 +3,15 @@
 
 #include <comparison/types.h>
 
-#include <CGAL/AABB_traits.h>
 #include <CGAL/AABB_tree.h>
-#include <CGAL/AABB_triangle_primitive.h>
 #include <CGAL/Random.h>
+#if __has_include(<CGAL/AABB_traits_3.h>) // since CGAL 6, where the other two are deprecated
+#include <CGAL/AABB_traits_3.h>
+#include <CGAL/AABB_triangle_primitive_3.h>
+#else
+#include <CGAL/AABB_traits.h>
+#include <CGAL/AABB_triangle_primitive.h>
+#endif
 
 #include <algorithm>
 #include <cmath>
@@ -50,10 +55,16 @@ public:
 
 private:
   using Triangles = std::vector<Kernel::Triangle_3>;
+#if __has_include(<CGAL/AABB_traits_3.h>)
+  using Primitive = CGAL::AABB_triangle_primitive_3<Kernel, Triangles::const_iterator>;
+  using Traits = CGAL::AABB_traits_3<Kernel, Primitive>;
+#else
   using Primitive = CGAL::AABB_triangle_primitive<Kernel, Triangles::const_iterator>;
+  using Traits = CGAL::AABB_traits<Kernel, Primitive>;
+#endif
 
   Triangles m_triangles;
-  CGAL::AABB_tree<CGAL::AABB_traits<Kernel, Primitive>> m_tree;
+  CGAL::AABB_tree<Traits> m_tree;
 };
 
 // n points, uniform per area
