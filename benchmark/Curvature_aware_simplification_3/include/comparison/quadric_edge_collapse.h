@@ -5,7 +5,6 @@
 
 #include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
 #include <CGAL/Surface_mesh.h>
-#include <CGAL/Surface_mesh_simplification/Policies/Edge_collapse/Count_stop_predicate.h>
 #include <CGAL/Surface_mesh_simplification/Policies/Edge_collapse/GarlandHeckbert_plane_policies.h>
 #include <CGAL/Surface_mesh_simplification/edge_collapse.h>
 
@@ -26,8 +25,9 @@ inline Mesh quadric_edge_collapse(const Mesh& mesh, std::size_t n)
   Surface_mesh surface;
   CGAL::Polygon_mesh_processing::polygon_soup_to_polygon_mesh(mesh.points, mesh.triangles, surface);
 
-  // a closed mesh has about 3 edges for each vertex
-  const simplification::Count_stop_predicate<Surface_mesh> stop(3 * n);
+  // A closed mesh has about 3 edges for each vertex. CGAL's predicate that counts them changed its name.
+  const auto stop = [n](const auto&, const auto&, std::size_t, std::size_t number_of_edges)
+  { return number_of_edges < 3 * n; };
   const simplification::GarlandHeckbert_plane_policies<Surface_mesh, Kernel> policies(surface);
   simplification::edge_collapse(
       surface, stop,
