@@ -12,6 +12,7 @@
 #include <CGAL/Curvature_aware_simplification_3/internal/fit_local_surface.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/measure_noise.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/median.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/move_to_corners.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/move_to_edges.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/relax_on_surface.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/remove_outliers.h>
@@ -37,6 +38,7 @@
 #include <limits>
 #include <memory>
 #include <numeric>
+#include <optional>
 #include <random>
 #include <set>
 #include <utility>
@@ -1906,6 +1908,32 @@ TEST(Adaptive, puts_one_sample_into_each_corner_of_an_open_surface)
   check(0., 1., 35, 2);
   // a sixth of the input's spacing, that far a corner is blurred: of 480, one has no sample within 1 spacing
   check(0.001, 1.2, 30, 5);
+}
+
+// There, the balls of all samples would each hold most of the input.
+TEST(Adaptive, looks_for_no_corners_where_samples_are_crowded)
+{
+  std::vector<Point> points;
+  for (int i = 0; i <= 100; ++i)
+    for (int j = 0; j <= 100; ++j)
+      points.emplace_back(0.01 * i, 0.01 * j, 0.);
+  const Neighbor_search search(points, Tag());
+  const Surface_fit fit{search, points.size()};
+  Surface_sample x;
+  x.place(fit, Point(0.2, 0.2, 0.), CGAL::NULL_VECTOR, 1);
+  x.spacing = 0.3;
+  const std::vector<std::size_t> neighbors = {0, 1, 2};
+  const auto corner = [&](double d)
+  {
+    const std::vector<Point> samples = {Point(0.2 + d, 0.2, 0.), Point(0.2, 0.2 + d, 0.),
+                                        Point(0.2 + d, 0.2 + d, 0.)};
+    return nearest_corner(x, neighbors, samples, fit);
+  };
+  const std::optional<Target> found = corner(0.3);
+  ASSERT_TRUE(found);
+  EXPECT_LT(std::sqrt(CGAL::squared_distance(found->point, Point(0., 0., 0.))), 1e-9);
+  EXPECT_NEAR(found->distance, std::sqrt(0.08) / 0.3, 1e-9);
+  EXPECT_FALSE(corner(0.02));
 }
 
 TEST(Adaptive, takes_hardly_any_part_of_a_round_border_for_a_corner)

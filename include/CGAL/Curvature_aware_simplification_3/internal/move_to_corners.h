@@ -25,11 +25,18 @@ namespace CGAL {
 namespace Curvature_aware_simplification_3 {
 namespace internal {
 
-// Where the samples end around x, in its tangent plane: from the mean of its nearest neighbors to x, over
-// their mean distance. About the null vector amid samples; on a border it has a length of 2 / pi = 0.64.
+// Where the samples end around x, in its tangent plane
+struct Way_out
+{
+  // from the mean of its nearest neighbors to x, over their mean distance: about the null vector amid
+  // samples; on a border, it has a length of 2 / pi = 0.64
+  Vector direction = Vector(0., 0., 0.);
+  double mean_distance = 0.;
+};
+
 template <typename Neighbors>
-Vector way_out(const Surface_sample& x, const Neighbors& neighbors,
-               const std::vector<Point>& points)
+Way_out way_out(const Surface_sample& x, const Neighbors& neighbors,
+                const std::vector<Point>& points)
 {
   constexpr std::size_t most = 8; // the ring around a sample, and some more
   Vector sum(0., 0., 0.);
@@ -37,14 +44,15 @@ Vector way_out(const Surface_sample& x, const Neighbors& neighbors,
   std::size_t number = 0;
   for (std::size_t i : neighbors)
   {
-    if (++number > most)
+    if (number == most)
       break;
+    ++number;
     const Vector d = x.point - points[i];
     const Vector t = d - (d * x.normal) * x.normal;
     sum = sum + t;
     length += std::sqrt(t.squared_length());
   }
-  return length > 0. ? sum / length : sum;
+  return length > 0. ? Way_out{sum / length, length / static_cast<double>(number)} : Way_out();
 }
 
 // Whether the neighbors are in a part of a plane that is clearly less than a half, and their center is its
@@ -68,19 +76,23 @@ std::optional<Target> nearest_corner(const Surface_sample& x, const Neighbors& n
 {
   constexpr double at_border = 0.55; // somewhat less than on a straight one
   constexpr double reach = 1.; // in spacings: where samples are even, one is nearer to a corner
+  // In spacings; on an even border it is 1.4. Where far more samples than even ones are asked for, one is next to
+  // any corner, and the balls of all would each hold a large part of the input.
+  constexpr double least_mean_distance = 0.5;
   // The mean of 64 random points in a half disk scatters: one in two hundred samples on the border of a
   // disk is taken for one next to a corner, and moves by half a spacing at most.
   constexpr std::size_t k = 65;
 
-  const Vector out = way_out(x, neighbors, points);
-  if (!(out.squared_length() > at_border * at_border))
+  const Way_out out = way_out(x, neighbors, points);
+  if (!(out.direction.squared_length() > at_border * at_border &&
+        out.mean_distance > least_mean_distance * x.spacing))
     return std::nullopt;
   Point last = x.point;
   double farthest = -std::numeric_limits<double>::infinity();
   fit.search.for_each_within(x.point, reach * x.spacing,
                              [&](std::size_t, const Point& p, double)
                              {
-    const double way = (p - x.point) * out;
+    const double way = (p - x.point) * out.direction;
     if (way > farthest)
     {
       farthest = way;
