@@ -232,6 +232,7 @@ Setting with_parameters(const std::string& parameters)
   set("keep_borders", settings.keep_borders);
   set("widen_between_lines", settings.widen_between_lines);
   set("find_clusters", settings.find_clusters);
+  set("keep_sparse_surfaces", settings.keep_sparse_surfaces);
   set("moves_to_foot_point", settings.moves_to_foot_point);
   set("denoise", settings.denoise);
   set("points_of_widest_fit", settings.points_of_widest_fit);

@@ -20,6 +20,7 @@
 #include <CGAL/Curvature_aware_simplification_3/internal/select_along_curve.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/shared_features.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/smooth_points.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/sparse_surfaces.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/surface_pieces.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/thin_points.h>
 #include <CGAL/curvature_aware_simplify_point_set.h>
@@ -884,6 +885,58 @@ std::vector<Point> cube(std::size_t n, unsigned int seed)
     const int axis = r.uniform_int(0, 2);
     return axis == 0 ? Point(c, a, b) : axis == 1 ? Point(a, c, b) : Point(a, b, c);
   });
+}
+
+// of a cube, with a density that falls to a hundredth along an axis
+std::vector<Point> cube_far_from_a_scanner(std::size_t n, unsigned int seed)
+{
+  CGAL::Random random(seed + 1);
+  std::vector<Point> result;
+  for (const Point& p : cube(n, seed))
+    if (random.get_double() < std::pow(100., -p.x()))
+      result.push_back(p);
+  return result;
+}
+
+TEST(Outliers, are_not_on_sparse_parts_of_a_surface)
+{
+  for (double sigma : {0., 0.0005})
+    for (unsigned int seed : {131u, 132u, 133u})
+    {
+      const Cloud cloud = make_cloud<Tag>(
+          with_noise(cube_far_from_a_scanner(100000, seed), sigma, seed + 10), 1e-16);
+      const std::vector<std::uint8_t> is_outlier = outliers_of(cloud);
+      EXPECT_LE(std::count(is_outlier.begin(), is_outlier.end(), 1), 2) << sigma << ' ' << seed;
+    }
+}
+
+TEST(Outliers, in_space_do_not_lead_to_a_surface)
+{
+  std::vector<Point> points = surfaces::sphere(100000, 134);
+  const std::size_t surface = points.size(), outliers = 30000;
+  add_outliers(points, outliers, 2., 135);
+  const Cloud cloud = make_cloud<Tag>(points, 1e-16);
+  const Neighbor_search search(cloud.points, Tag());
+  const Shared_features shared = shared_features_of(cloud, search);
+  std::vector<std::uint8_t> is_outlier(cloud.size());
+  for (std::size_t i = 0; i < cloud.size(); ++i)
+    is_outlier[i] =
+        cloud.input_index[i] >= surface && shared.features.curvature[i] > least_curvature_of_volumes
+            ? 1
+            : 0;
+  const auto marked = std::count(is_outlier.begin(), is_outlier.end(), 1);
+  const std::vector<std::uint8_t> before = is_outlier;
+  unmark_sparse_surfaces<Tag>(cloud, search, shared.features, 16, is_outlier);
+  EXPECT_GE(static_cast<double>(std::count(is_outlier.begin(), is_outlier.end(), 1)),
+            0.995 * static_cast<double>(marked));
+
+  std::vector<std::uint8_t> sequential = before;
+  unmark_sparse_surfaces<CGAL::Sequential_tag>(cloud, search, shared.features, 16, sequential);
+  EXPECT_EQ(sequential, is_outlier);
+
+  std::vector<std::uint8_t> none(cloud.size(), 0);
+  unmark_sparse_surfaces<Tag>(cloud, search, shared.features, 16, none);
+  EXPECT_EQ(std::count(none.begin(), none.end(), 0), static_cast<std::ptrdiff_t>(none.size()));
 }
 
 // samples so far from each other that the noise alone decides how far smoothing reaches

@@ -18,6 +18,8 @@ struct Adaptive_settings
 {
   // Outliers get no weight, noise is measured; without, there is taken to be none.
   bool find_outliers = true;
+  // Sparse parts of a surface are none, even where all their points are thick and far from each other.
+  bool keep_sparse_surfaces = true;
   // Isolated clusters are outliers as well.
   bool find_clusters = true;
   bool measure_noise = true;

@@ -13,6 +13,7 @@
 #include <CGAL/Curvature_aware_simplification_3/internal/mutual_neighbors.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/prefix_sums.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/shared_features.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/sparse_surfaces.h>
 
 #include <algorithm>
 #include <atomic>
@@ -77,8 +78,8 @@ inline bool is_more_than_a_few(std::size_t outliers, std::size_t points)
 // open surface half of them, and the density of the input cancels out: sparse regions vote for
 // themselves. An outlier near a surface has neighbors there, but is no neighbor of theirs. Outliers
 // far away vote for each other; they are those whose neighborhood is as thick as wide and has more
-// than 3 times the median radius, which noise alone does not give it. Of those with 2 to 3 times, the
-// roundest are. The votes of outliers do not count, which uncovers others: in a volume, those that
+// than 3 times the median radius, which noise alone does not give it, and is not part of a sparse surface. Of
+// those with 2 to 3 times, the roundest are. The votes of outliers do not count, which uncovers others: in a volume, those that
 // lose a third of theirs.
 template <typename ConcurrencyTag>
 std::vector<std::uint8_t> find_outliers(const Cloud& cloud, const Neighbor_search& search,
@@ -107,6 +108,8 @@ std::vector<std::uint8_t> find_outliers(const Cloud& cloud, const Neighbor_searc
                         ? 1
                         : 0;
   });
+  if (settings.keep_sparse_surfaces)
+    unmark_sparse_surfaces<ConcurrencyTag>(cloud, search, shared.features, k, is_outlier);
   // In a volume, two thirds of those that a point had at first: with less, much of what is around it are
   // outliers. With half, a ninth of them remains, in groups that vote for each other. A sparse region of a
   // surface has no outliers to lose.
