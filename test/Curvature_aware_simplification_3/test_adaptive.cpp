@@ -910,33 +910,116 @@ TEST(Outliers, are_not_on_sparse_parts_of_a_surface)
     }
 }
 
+// of a square plate, with a density that falls to a hundredth along it, and a rod at that end, as sparse
+std::vector<Point> plate_with_sparse_rod(double radius, unsigned int seed)
+{
+  CGAL::Random random(seed);
+  std::vector<Point> result;
+  for (std::size_t i = 0; i < 100000; ++i)
+  {
+    const double x = random.get_double(), y = random.get_double();
+    if (random.get_double() < std::pow(100., -x))
+      result.emplace_back(x, y, 0.);
+  }
+  const double length = 0.6, density = 1000.;
+  for (std::size_t i = 0; i < static_cast<std::size_t>(2. * CGAL_PI * radius * length * density);
+       ++i)
+  {
+    const double angle = random.get_double(0., 2. * CGAL_PI);
+    result.emplace_back(random.get_double(1., 1. + length), 0.5 + radius * std::cos(angle),
+                        radius * std::sin(angle));
+  }
+  return result;
+}
+
+TEST(Outliers, are_not_on_thin_sparse_parts_of_a_surface)
+{
+  for (double radius : {0.02, 0.04}) // a spacing of 0.03: as thick as wide
+    for (unsigned int seed : {141u, 142u, 143u})
+    {
+      const Cloud cloud = make_cloud<Tag>(plate_with_sparse_rod(radius, seed), 1e-16);
+      const std::vector<std::uint8_t> is_outlier = outliers_of(cloud);
+      EXPECT_LE(std::count(is_outlier.begin(), is_outlier.end(), 1), 5) << radius << ' ' << seed;
+    }
+}
+
+// Points taken for outliers since they are thick, and what is told of them
+struct Far_outliers
+{
+  template <typename Is_far>
+  Far_outliers(const std::vector<Point>& points, const Is_far& is_far)
+    : cloud(make_cloud<Tag>(points, 1e-16)),
+      search(cloud.points, Tag()),
+      shared(shared_features_of(cloud, search)),
+      is_outlier(cloud.size())
+  {
+    for (std::size_t i = 0; i < cloud.size(); ++i)
+      if (shared.features.curvature[i] > least_curvature_of_volumes && is_far(cloud.input_index[i]))
+      {
+        is_outlier[i] = 1;
+        far_ones.push_back(i);
+      }
+  }
+
+  template <typename ConcurrencyTag>
+  std::vector<std::uint8_t> after_votes(double needed_share, const std::vector<std::size_t>& asked)
+  {
+    std::vector<std::uint8_t> result = is_outlier;
+    unmark_sparse_surfaces<ConcurrencyTag>(cloud, search, shared.features, 16,
+                                           far_inverse_density(shared.features.inverse_density),
+                                           needed_share, asked, result);
+    return result;
+  }
+
+  double needed_share(std::size_t number_with_few_votes) const
+  {
+    return needed_share_of_votes<Tag>(cloud, search, 16, number_with_few_votes, far_ones);
+  }
+
+  Cloud cloud;
+  Neighbor_search search;
+  Shared_features shared;
+  std::vector<std::uint8_t> is_outlier;
+  std::vector<std::size_t> far_ones;
+};
+
 TEST(Outliers, in_space_do_not_lead_to_a_surface)
 {
   std::vector<Point> points = surfaces::sphere(100000, 134);
-  const std::size_t surface = points.size(), outliers = 30000;
-  add_outliers(points, outliers, 2., 135);
-  const Cloud cloud = make_cloud<Tag>(points, 1e-16);
-  const Neighbor_search search(cloud.points, Tag());
-  const Shared_features shared = shared_features_of(cloud, search);
-  std::vector<std::uint8_t> is_outlier(cloud.size());
-  for (std::size_t i = 0; i < cloud.size(); ++i)
-    is_outlier[i] =
-        cloud.input_index[i] >= surface && shared.features.curvature[i] > least_curvature_of_volumes
-            ? 1
-            : 0;
-  const auto marked = std::count(is_outlier.begin(), is_outlier.end(), 1);
-  const std::vector<std::uint8_t> before = is_outlier;
-  unmark_sparse_surfaces<Tag>(cloud, search, shared.features, 16, is_outlier);
-  EXPECT_GE(static_cast<double>(std::count(is_outlier.begin(), is_outlier.end(), 1)),
-            0.995 * static_cast<double>(marked));
+  const std::size_t surface = points.size();
+  add_outliers(points, 30000, 2., 135);
+  Far_outliers outliers(points, [&](std::size_t i) { return i >= surface; });
+  EXPECT_GT(outliers.far_ones.size(), 28000u);
+  for (double share : {1. / 4., 1. / 16.})
+  {
+    const std::vector<std::uint8_t> after = outliers.after_votes<Tag>(share, outliers.far_ones);
+    EXPECT_GE(std::count(after.begin(), after.end(), 1) * 1000,
+              static_cast<std::ptrdiff_t>(outliers.far_ones.size()) * 995);
+  }
+  EXPECT_EQ(outliers.needed_share(0), 1. / 4.); // they look like space
+}
 
-  std::vector<std::uint8_t> sequential = before;
-  unmark_sparse_surfaces<CGAL::Sequential_tag>(cloud, search, shared.features, 16, sequential);
-  EXPECT_EQ(sequential, is_outlier);
+TEST(Outliers, that_are_far_need_votes_of_flat_points)
+{
+  const std::vector<Point> points = plate_with_sparse_rod(0.02, 144);
+  Far_outliers rod(points, [&](std::size_t i) { return points[i].x() > 1.; });
+  ASSERT_GT(rod.far_ones.size(), 40u);
+  EXPECT_EQ(rod.needed_share(3), 1. / 16.);
+  EXPECT_EQ(rod.needed_share(4 + rod.far_ones.size() / 100), 1. / 4.);
 
-  std::vector<std::uint8_t> none(cloud.size(), 0);
-  unmark_sparse_surfaces<Tag>(cloud, search, shared.features, 16, none);
-  EXPECT_EQ(std::count(none.begin(), none.end(), 0), static_cast<std::ptrdiff_t>(none.size()));
+  const std::vector<std::uint8_t> after = rod.after_votes<Tag>(1. / 16., rod.far_ones);
+  EXPECT_LE(std::count(after.begin(), after.end(), 1), 2);
+  EXPECT_EQ(after, rod.after_votes<CGAL::Sequential_tag>(1. / 16., rod.far_ones));
+
+  // others are outliers for another reason
+  std::vector<std::size_t> asked;
+  for (std::size_t i = 0; i < rod.far_ones.size(); i += 2)
+    asked.push_back(rod.far_ones[i]);
+  const std::vector<std::uint8_t> after_half = rod.after_votes<Tag>(1. / 16., asked);
+  for (std::size_t i = 1; i < rod.far_ones.size(); i += 2)
+    EXPECT_EQ(after_half[rod.far_ones[i]], 1);
+  EXPECT_LT(std::count(after_half.begin(), after_half.end(), 1),
+            static_cast<std::ptrdiff_t>(rod.far_ones.size()));
 }
 
 // samples so far from each other that the noise alone decides how far smoothing reaches

@@ -78,9 +78,9 @@ inline bool is_more_than_a_few(std::size_t outliers, std::size_t points)
 // open surface half of them, and the density of the input cancels out: sparse regions vote for
 // themselves. An outlier near a surface has neighbors there, but is no neighbor of theirs. Outliers
 // far away vote for each other; they are those whose neighborhood is as thick as wide and has more
-// than 3 times the median radius, which noise alone does not give it, and is not part of a sparse surface. Of
-// those with 2 to 3 times, the roundest are. The votes of outliers do not count, which uncovers others: in a volume, those that
-// lose a third of theirs.
+// than 3 times the median radius, which noise alone does not give it; of those with 2 to 3 times, the
+// roundest are. Sparse parts of a surface look like that as well: flat points nearby tell them. The votes
+// of outliers do not count, which uncovers others: in a volume, those that lose a third of theirs.
 template <typename ConcurrencyTag>
 std::vector<std::uint8_t> find_outliers(const Cloud& cloud, const Neighbor_search& search,
                                         const Shared_features& shared, std::size_t k,
@@ -99,17 +99,8 @@ std::vector<std::uint8_t> find_outliers(const Cloud& cloud, const Neighbor_searc
   };
   constexpr double rather_far = 2. / 3.; // of the radius that is far
   const double rather_sparse = rather_far * rather_far * sparse;
-  for_each_index<ConcurrencyTag>(0, n,
-                                 [&](std::size_t i)
-                                 {
-    votes[i].store(shared.votes[i], std::memory_order_relaxed);
-    is_outlier[i] = is_thick_and_sparse(i, least_curvature_of_volumes, sparse) ||
-                            is_thick_and_sparse(i, curvature_of_round_volumes, rather_sparse)
-                        ? 1
-                        : 0;
-  });
-  if (settings.keep_sparse_surfaces)
-    unmark_sparse_surfaces<ConcurrencyTag>(cloud, search, shared.features, k, is_outlier);
+  for_each_index<ConcurrencyTag>(
+      0, n, [&](std::size_t i) { votes[i].store(shared.votes[i], std::memory_order_relaxed); });
   // In a volume, two thirds of those that a point had at first: with less, much of what is around it are
   // outliers. With half, a ninth of them remains, in groups that vote for each other. A sparse region of a
   // surface has no outliers to lose.
@@ -142,7 +133,21 @@ std::vector<std::uint8_t> find_outliers(const Cloud& cloud, const Neighbor_searc
       found = mark(few_votes);
     }
   };
-  mark(few_votes);
+  const std::size_t number_with_few_votes = mark(few_votes).size();
+  const std::vector<std::size_t> far_ones = indices_where<ConcurrencyTag>(n,
+                                                                          [&](std::size_t i)
+                                                                          {
+    return is_outlier[i] == 0 &&
+           (is_thick_and_sparse(i, least_curvature_of_volumes, sparse) ||
+            is_thick_and_sparse(i, curvature_of_round_volumes, rather_sparse));
+  });
+  for_each_index<ConcurrencyTag>(0, far_ones.size(),
+                                 [&](std::size_t f) { is_outlier[far_ones[f]] = 1; });
+  if (settings.keep_sparse_surfaces && !far_ones.empty())
+    unmark_sparse_surfaces<ConcurrencyTag>(
+        cloud, search, shared.features, k, rather_sparse,
+        needed_share_of_votes<ConcurrencyTag>(cloud, search, k, number_with_few_votes, far_ones),
+        far_ones, is_outlier);
   std::vector<std::size_t> found =
       indices_where<ConcurrencyTag>(n, [&](std::size_t i) { return is_outlier[i] != 0; });
   // Where there are more than a few, some hide near the surface, between its corners' votes
