@@ -62,12 +62,12 @@ mark_those_with_less_votes(const Cloud& cloud, const Neighbor_search& search,
   return found;
 }
 
-// Whether so many outliers are more than a clean scan has. Of 15 of these, at most one in 2000 points was
-// taken for an outlier; where one in 20 was added, one in 25 at least was found. Of few points, up to three are by chance:
-// of 6000 clean squares, disks and ellipsoids of 100 to 999 points, one had three, none had more.
-inline bool is_more_than_a_few(std::size_t outliers, std::size_t points)
+// Whether so many points with few votes are more than a clean scan has. Of 15 of these, at most one in 2000 points
+// was taken for an outlier; where one in 20 was added, one in 130 at least had few votes. Of few points, up to three
+// are by chance: of 6000 clean squares, disks and ellipsoids of 100 to 999 points, one had three, none had more.
+inline bool is_more_than_a_few(std::size_t with_few_votes, std::size_t points)
 {
-  return outliers > 3 + points / 1000;
+  return with_few_votes > 3 + points / 1000;
 }
 
 // Which points do not belong to a surface: 1 for outliers. Takes O(k + log n) for each outlier and
@@ -150,10 +150,10 @@ std::vector<std::uint8_t> find_outliers(const Cloud& cloud, const Neighbor_searc
         far_ones, is_outlier);
   std::vector<std::size_t> found =
       indices_where<ConcurrencyTag>(n, [&](std::size_t i) { return is_outlier[i] != 0; });
-  // Where there are more than a few, some hide near the surface, between its corners' votes
+  // Where there are more than a few near the surface, some hide between its corners' votes
   // and those of points farther off: a second look asks for half of the votes. Only once, because a
   // border has little more than half; asked again and again, border after border would go.
-  const bool are_many = is_more_than_a_few(found.size(), n);
+  const bool are_many = is_more_than_a_few(number_with_few_votes, n);
   take_votes_back(std::move(found));
   if (settings.find_clusters) // now, since without single points between them, clusters are apart
   {

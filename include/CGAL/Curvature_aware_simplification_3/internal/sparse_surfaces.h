@@ -33,8 +33,8 @@ namespace internal {
 // points are apart. But not far from there it is flat. So flat points vote for these far ones, in neighborhoods of
 // twice the radius.
 
-// Of the radius of k points, on a surface. In space, one point in thirty is flat: a quarter of so many never is by
-// chance; a third of k is around a few of 100,000 points.
+// On a surface, twice the radius of the k nearest points holds so many. In space, one point in thirty is flat: a
+// quarter of so many never is by chance; a third of k is around a few of 100,000 points.
 inline std::size_t neighbors_within_twice_the_radius(std::size_t k)
 {
   return 4 * k;
@@ -64,7 +64,7 @@ double median_curvature(const Cloud& cloud, const Neighbor_search& search, std::
 // points themselves tells of outliers. Outliers far from a surface have others near it, which have few votes, one for
 // each ten or more; on 144 scans without outliers whose density falls 100 : 1 to 10,000 : 1, one for each hundred at
 // most was found for three of four. And in larger neighborhoods, parts of a surface are flatter than space is: the
-// median of kappa is 0.03 to 0.15 for most, but 0.18 to 0.26 for 400 outliers and more.
+// median of kappa is 0.03 to 0.15 for most, but 0.18 to 0.26 for 400 outliers and more that none are near to.
 template <typename ConcurrencyTag>
 double needed_share_of_votes(const Cloud& cloud, const Neighbor_search& search, std::size_t k,
                              std::size_t number_with_few_votes,
