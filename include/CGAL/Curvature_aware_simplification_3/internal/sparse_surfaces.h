@@ -61,10 +61,10 @@ double median_curvature(const Cloud& cloud, const Neighbor_search& search, std::
 }
 
 // The share of a neighborhood whose votes such a point needs: a quarter, or a sixteenth if nothing but the far
-// points themselves tells of outliers. Outliers far from a surface have others near it, which have few votes, one for
-// each ten or more; on 144 scans without outliers whose density falls 100 : 1 to 10,000 : 1, one for each hundred at
-// most was found for three of four. And in larger neighborhoods, parts of a surface are flatter than space is: the
-// median of kappa is 0.03 to 0.15 for most, but 0.18 to 0.26 for 400 outliers and more that none are near to.
+// points themselves tells of outliers. Where outliers fill the box around a surface, for each fifteen far ones at
+// most, one near it has few votes. On 144 scans without outliers whose density falls 100 : 1 to 10,000 : 1, three of
+// four had one for each hundred at most. And in larger neighborhoods, parts of a surface are flatter than space is:
+// the median of kappa is 0.03 to 0.15 for most, but 0.18 to 0.26 for 400 and more outliers that all are far.
 template <typename ConcurrencyTag>
 double needed_share_of_votes(const Cloud& cloud, const Neighbor_search& search, std::size_t k,
                              std::size_t number_with_few_votes,
