@@ -962,7 +962,8 @@ struct Far_outliers
   }
 
   template <typename ConcurrencyTag>
-  std::vector<std::uint8_t> after_votes(double needed_share, const std::vector<std::size_t>& asked)
+  std::vector<std::uint8_t> after_votes(double needed_share,
+                                        const std::vector<std::size_t>& asked) const
   {
     std::vector<std::uint8_t> result = is_outlier;
     unmark_sparse_surfaces<ConcurrencyTag>(cloud, search, shared.features, 16,
@@ -988,7 +989,7 @@ TEST(Outliers, in_space_do_not_lead_to_a_surface)
   std::vector<Point> points = surfaces::sphere(100000, 134);
   const std::size_t surface = points.size();
   add_outliers(points, 30000, 2., 135);
-  Far_outliers outliers(points, [&](std::size_t i) { return i >= surface; });
+  const Far_outliers outliers(points, [&](std::size_t i) { return i >= surface; });
   EXPECT_GT(outliers.far_ones.size(), 28000u);
   for (double share : {1. / 4., 1. / 16.})
   {
@@ -1002,7 +1003,7 @@ TEST(Outliers, in_space_do_not_lead_to_a_surface)
 TEST(Outliers, that_are_far_need_votes_of_flat_points)
 {
   const std::vector<Point> points = plate_with_sparse_rod(0.02, 144);
-  Far_outliers rod(points, [&](std::size_t i) { return points[i].x() > 1.; });
+  const Far_outliers rod(points, [&](std::size_t i) { return points[i].x() > 1.; });
   ASSERT_GT(rod.far_ones.size(), 40u);
   EXPECT_EQ(rod.needed_share(3), 1. / 16.);
   EXPECT_EQ(rod.needed_share(4 + rod.far_ones.size() / 100), 1. / 4.);
@@ -1352,9 +1353,8 @@ TEST(Outliers, in_a_volume_hardly_sparser_than_the_surface_are_found)
   for (std::size_t i = 0; i < cloud.size(); ++i)
     (cloud.input_index[i] < 20000 ? lost : found) += is_outlier[i];
   EXPECT_GT(found, 0.985 * 7500);
-  EXPECT_LE(
-      lost,
-      10); // 47 if the border of the square were asked for half of the votes, and 40 more found
+  // 47 where the border of the square is asked for half of the votes, and 40 more are found
+  EXPECT_LE(lost, 10);
 }
 
 TEST(Outliers, are_no_neighbors_once_they_are_removed)

@@ -79,7 +79,7 @@ inline bool is_more_than_a_few(std::size_t with_few_votes, std::size_t points)
 // themselves. An outlier near a surface has neighbors there, but is no neighbor of theirs. Outliers
 // far away vote for each other; they are those whose neighborhood is as thick as wide and has more
 // than 3 times the median radius, which noise alone does not give it; of those with 2 to 3 times, the
-// roundest are. Sparse parts of a surface look like that as well: flat points nearby tell them. The votes
+// roundest are. Sparse parts of a surface look like that as well, but flat points are nearby. The votes
 // of outliers do not count, which uncovers others: in a volume, those that lose a third of theirs.
 template <typename ConcurrencyTag>
 std::vector<std::uint8_t> find_outliers(const Cloud& cloud, const Neighbor_search& search,

@@ -33,14 +33,15 @@ namespace internal {
 // points are apart. But not far from there it is flat. So flat points vote for these far ones, in neighborhoods of
 // twice the radius.
 
-// On a surface, twice the radius of the k nearest points holds so many. In space, one point in thirty is flat: a
-// quarter of so many never is by chance; a third of k is around a few of 100,000 points.
+// On a surface, twice the radius of the k nearest points holds so many. In space, one point in thirty is flat: of so
+// many neighbors, a quarter never is by chance; of k, a third is for a few of 100,000 points.
 inline std::size_t neighbors_within_twice_the_radius(std::size_t k)
 {
   return 4 * k;
 }
 
-// The median of kappa in neighborhoods of `size` points around some of these, evenly along the curve
+// The median of kappa in neighborhoods of `size` points around these, or around 1000 of them, evenly along the curve:
+// it need not be exact
 template <typename ConcurrencyTag>
 double median_curvature(const Cloud& cloud, const Neighbor_search& search, std::size_t size,
                         const std::vector<std::size_t>& points)
