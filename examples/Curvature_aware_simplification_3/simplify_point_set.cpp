@@ -6,6 +6,7 @@
 #include <CGAL/curvature_aware_random_simplify_point_set.h>
 #include <CGAL/curvature_aware_simplify_point_set.h>
 
+#include <boost/algorithm/string/case_conv.hpp>
 #include <boost/program_options.hpp>
 
 #include <cmath>
@@ -67,7 +68,7 @@ std::optional<Options> read_options(int argc, char* argv[])
       "percentage,p", po::value(&options.percentage)->default_value(5.),
       "percentage of points to return, above 0 and at most 100")(
       "count,n", po::value<long long>(), "number of points to return, instead of the percentage")(
-      "adaptivity,a", po::value(&options.adaptivity)->default_value(2. / 3., "2/3"),
+      "adaptivity,a", po::value(&options.adaptivity)->default_value(2. / 3., "0.667"),
       "dependence of the density on the curvature, from 0 to 1; 0: uniform")(
       "iterations,i", po::value(&options.iterations)->default_value(10),
       "number of iterations of the relaxation")(
@@ -135,7 +136,8 @@ std::optional<Options> read_options(int argc, char* argv[])
 
 std::string extension(const std::string& filename)
 {
-  const std::string with_point = fs::path(filename).extension().string();
+  const std::string with_point =
+      boost::algorithm::to_lower_copy(fs::path(filename).extension().string());
   return with_point.empty() ? with_point : with_point.substr(1);
 }
 
@@ -215,10 +217,11 @@ bool write(std::ostream& stream, const std::string& format, Point_set& points)
                          : CGAL::IO::write_XYZ(stream, points, precision);
 }
 
-// Writes beside the output and renames, so that there is the whole file or none.
+// Writes beside the output and renames, so that there is the whole file or none. What a link leads to is replaced, and
+// not the link; a file that is there keeps its permissions.
 void write(const std::string& filename, Point_set& points)
 {
-  const fs::path path(filename);
+  const fs::path path = fs::exists(filename) ? fs::canonical(filename) : fs::path(filename);
   const fs::path partial = fs::path(path).replace_filename("." + path.stem().string() + ".partial" +
                                                            path.extension().string());
   std::error_code failure;
@@ -229,6 +232,8 @@ void write(const std::string& filename, Point_set& points)
     stream.flush();
     is_written = is_written && stream.good();
   }
+  if (is_written && fs::exists(path))
+    fs::permissions(partial, fs::status(path).permissions(), failure);
   if (is_written)
     fs::rename(partial, path, failure);
   if (!is_written || failure)

@@ -185,8 +185,8 @@ TEST(Fit, of_a_local_surface_ignores_an_outlier)
   Neighborhood neighborhood;
   for (int rounds : {rounds_to_move, rounds_to_stay})
   {
-    const Local_surface surface =
-        fit_local_surface(fit, Point(0., 0., 0.02), CGAL::NULL_VECTOR, 0, rounds, neighborhood);
+    const Local_surface surface = fit_local_surface(fit, Point(0., 0., 0.02), CGAL::NULL_VECTOR,
+                                                    Local_surface(), rounds, neighborhood);
     EXPECT_LT(std::abs(surface.origin.z()), 1e-3) << rounds;
     EXPECT_GT(std::abs(surface.n.z()), 0.999) << rounds;
   }
@@ -209,7 +209,7 @@ TEST(Fit, is_reweighted_again_only_with_noise)
     noise.is_visible = is_visible;
     Neighborhood neighborhood;
     return fit_local_surface(Surface_fit{search, p.size(), noise}, Point(0., 0., 0.),
-                             CGAL::NULL_VECTOR, 0, rounds, neighborhood)
+                             CGAL::NULL_VECTOR, Local_surface(), rounds, neighborhood)
         .origin.z();
   };
   EXPECT_EQ(height(points, false, rounds_to_stay), height(points, false, rounds_to_move));
@@ -240,7 +240,7 @@ TEST(Fit, between_two_lines_of_a_scan_takes_more_of_them)
       noise.visible_error = visible_error;
       Neighborhood neighborhood;
       return fit_local_surface(Surface_fit{search, points.size(), noise}, Point(0., 0.1, 0.),
-                               Vector(0., 0., 1.), 0, rounds_to_move, neighborhood);
+                               Vector(0., 0., 1.), Local_surface(), rounds_to_move, neighborhood);
     };
     const Local_surface of_19 = fitted(100. * sigma), surface = fitted(sigma);
     EXPECT_EQ(of_19.neighbors, 19U);
@@ -251,6 +251,55 @@ TEST(Fit, between_two_lines_of_a_scan_takes_more_of_them)
   }
   EXPECT_LT(std::sqrt(squares), sigma);
   EXPECT_GT(std::sqrt(squares_of_19), 1.3 * std::sqrt(squares));
+}
+
+// Rings of a cylinder, ten times as far apart as the points on them: the 19 nearest of a point are on its ring, and in
+// the plane of that.
+TEST(Fit, on_one_line_of_a_scan_takes_more_of_them)
+{
+  std::vector<Point> points;
+  for (int ring = 0; ring < 12; ++ring)
+    for (int i = 0; i < 600; ++i)
+    {
+      const double angle = CGAL_PI / 300. * i;
+      points.emplace_back(std::cos(angle), std::sin(angle), 0.1 * ring);
+    }
+  const Neighbor_search search(points, Tag());
+  Neighborhood neighborhood;
+  for (const Vector& guess : {Vector(0., 0., 0.), Vector(1., 0., 0.), Vector(0., 0., 1.)})
+    for (double z : {0.5, 0.52}) // on a ring, and beside it
+    {
+      const Local_surface surface =
+          fit_local_surface(Surface_fit{search, points.size()}, Point(1., 0., z), guess,
+                            Local_surface(), rounds_to_move, neighborhood);
+      EXPECT_GE(surface.neighbors, z == 0.5 ? 37U : 19U); // beside it, some may be on the next ring
+      EXPECT_FALSE(surface.is_curve);
+      EXPECT_GT(std::abs(surface.n.x()), 0.9999) << z << ' ' << guess;
+      EXPECT_NEAR(surface.origin.x(), 1., 1e-4) << z << ' ' << guess;
+    }
+}
+
+// A wire: no neighborhood is broad, and the narrowest is next to the point.
+TEST(Fit, to_a_curve_takes_as_few_points_as_elsewhere)
+{
+  std::vector<Point> points;
+  for (int i = 0; i < 3000; ++i)
+  {
+    const double angle = 2. * CGAL_PI / 3000. * i;
+    points.emplace_back(std::cos(angle), std::sin(angle), 0.);
+  }
+  const Neighbor_search search(points, Tag());
+  const Surface_fit fit{search, points.size()};
+  Neighborhood neighborhood;
+  Local_surface surface;
+  for (int times = 0; times < 2; ++times)
+  {
+    surface =
+        fit_local_surface(fit, points[7], CGAL::NULL_VECTOR, surface, rounds_to_move, neighborhood);
+    EXPECT_TRUE(surface.is_curve);
+    EXPECT_EQ(surface.neighbors, smallest_neighborhood);
+    EXPECT_EQ(neighborhood.size(), smallest_neighborhood);
+  }
 }
 
 // Also where the first fit is given up: next to gaps
@@ -313,8 +362,8 @@ TEST(Fit, of_a_local_surface_separates_two_sheets)
   Neighborhood neighborhood;
   for (std::size_t i = 0; i < points.size(); i += 97)
   {
-    const Local_surface surface =
-        fit_local_surface(fit, points[i], CGAL::NULL_VECTOR, 0, rounds_to_stay, neighborhood);
+    const Local_surface surface = fit_local_surface(fit, points[i], CGAL::NULL_VECTOR,
+                                                    Local_surface(), rounds_to_stay, neighborhood);
     EXPECT_NEAR(surface.origin.z(), i < 4000 ? 0. : gap, 1e-3) << i;
   }
 }
@@ -576,8 +625,8 @@ TEST(Border, of_a_half_plane_and_of_none)
   for (int i = 1; i < 100; ++i)
   {
     const double t = 0.01 * i;
-    const Local_surface at_border = fit_local_surface(fit, Point(0.001, t, 0.), CGAL::NULL_VECTOR,
-                                                      0, rounds_to_stay, neighborhood);
+    const Local_surface at_border = fit_local_surface(
+        fit, Point(0.001, t, 0.), CGAL::NULL_VECTOR, Local_surface(), rounds_to_stay, neighborhood);
     const Surface_border border = find_border(neighborhood, at_border);
     found_at_border += border.exists ? 1 : 0;
     if (border.exists)
@@ -594,8 +643,9 @@ TEST(Border, of_a_half_plane_and_of_none)
       EXPECT_EQ(c, -0.01 * border.x);
     }
 
-    const Local_surface inside = fit_local_surface(
-        fit, Point(0.5, 0.1 + 0.8 * t, 0.), CGAL::NULL_VECTOR, 0, rounds_to_stay, neighborhood);
+    const Local_surface inside =
+        fit_local_surface(fit, Point(0.5, 0.1 + 0.8 * t, 0.), CGAL::NULL_VECTOR, Local_surface(),
+                          rounds_to_stay, neighborhood);
     found_inside += find_border(neighborhood, inside).exists ? 1 : 0;
   }
   EXPECT_GT(found_at_border, 80);
@@ -711,6 +761,19 @@ TEST(Noise_level, is_found_on_lines_of_a_scan)
   for (int i = 0; i < 50; ++i)
     for (int j = 0; j < 200; ++j)
       points.emplace_back(i, 0.25 * j, sigma * surfaces::normal_deviate(random));
+  for (double level : noise_of_points(make_cloud<Tag>(points, 1e-16)))
+    EXPECT_NEAR(level, sigma, 0.25 * sigma);
+}
+
+TEST(Noise_level, is_found_on_lines_that_are_far_apart)
+{
+  // ten times as far as the points on them: the 17 nearest are on one line, and in the plane of its noise
+  const double sigma = 0.03;
+  CGAL::Random random(42);
+  std::vector<Point> points;
+  for (int i = 0; i < 40; ++i)
+    for (int j = 0; j < 400; ++j)
+      points.emplace_back(i, 0.1 * j, sigma * surfaces::normal_deviate(random));
   for (double level : noise_of_points(make_cloud<Tag>(points, 1e-16)))
     EXPECT_NEAR(level, sigma, 0.25 * sigma);
 }
@@ -2148,6 +2211,33 @@ TEST(Adaptive, lies_on_the_surface)
       1e-4);
   EXPECT_EQ(report.number_of_outliers, 0u);
   EXPECT_LT(report.noise_level, 1e-3);
+}
+
+// Scanners measure more densely along a line than across. Samples between lines were pushed off the surface by a tenth to
+// a quarter of the distance of the lines: fits had turned about one of them.
+TEST(Adaptive, lies_on_a_surface_that_was_scanned_in_lines)
+{
+  const int lines = 60;
+  const auto height = [](double x, double y) { return 0.1 * std::sin(6. * x) * std::cos(5. * y); };
+  for (int points_on_a_distance : {5, 6, 8, 10, 20, 40})
+    for (bool is_random : {false, true})
+    {
+      CGAL::Random random(49);
+      std::vector<Point> points;
+      const int on_line = lines * points_on_a_distance;
+      for (int i = 0; i < lines; ++i)
+        for (int j = 0; j < on_line; ++j)
+        {
+          const double x = (i + 0.5) / lines;
+          const double y = is_random ? random.get_double() : (j + 0.5) / on_line;
+          points.emplace_back(x, y, height(x, y));
+        }
+      const std::vector<Point> output =
+          simplified(points, np::number_of_output_points(500).random_seed(1));
+      const double mean = mean_distance(output, [&](const Point& p)
+                                        { return std::abs(p.z() - height(p.x(), p.y())); });
+      EXPECT_LT(mean, 0.004 / lines) << points_on_a_distance << ' ' << is_random;
+    }
 }
 
 TEST(Adaptive, removes_noise)

@@ -61,6 +61,17 @@ for option in "-r 0.3" "-d 0" "-w 0.1"; do
   cmp -s changed.xyz paper.xyz && fail "no effect of $option"
 done
 
+# extensions in capitals, links and permissions
+cp patch.xyz PATCH.XYZ
+"$tool" -q PATCH.XYZ capitals.PLY && cmp -s capitals.PLY out.ply || fail "extensions in capitals"
+mkdir elsewhere
+echo old >elsewhere/target.xyz
+chmod 600 elsewhere/target.xyz
+ln -s elsewhere/target.xyz link.xyz
+"$tool" -q patch.xyz link.xyz
+[ -L link.xyz ] && cmp -s elsewhere/target.xyz out.xyz || fail "what a link leads to is not replaced"
+[ "$(ls -l elsewhere/target.xyz | cut -c 1-10)" = "-rw-------" ] || fail "a file loses its permissions"
+
 # attributes of a subset
 awk '{ print $0, 0, 0, 1 }' patch.xyz >normals.xyz
 "$tool" -q --subset normals.xyz subset.xyz

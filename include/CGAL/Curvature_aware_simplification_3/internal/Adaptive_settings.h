@@ -76,7 +76,7 @@ struct Adaptive_settings
   // Samples are not pushed across a border.
   bool keep_borders = true;
 
-  // With noise, fits between two lines of a scan take more neighbors.
+  // Fits on a line of a scan, and with noise between two, take more neighbors.
   bool widen_between_lines = true;
   // How often the ball of a fit is moved to the foot point. Three moves bring a point
   // from 4 sigma to within the tolerance of sigma / 2.

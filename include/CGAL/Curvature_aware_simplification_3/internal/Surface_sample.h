@@ -67,7 +67,7 @@ private:
   void fit_and_move(const Surface_fit& fit, const Point& x, const Vector& guess, int rounds,
                     Neighborhood& neighborhood)
   {
-    surface = fit_local_surface(fit, x, guess, surface.neighbors, rounds, neighborhood);
+    surface = fit_local_surface(fit, x, guess, surface, rounds, neighborhood);
     border = fit.settings.keep_borders ? find_border(neighborhood, surface) : Surface_border();
     double at_a = 0., at_b = 0.;
     border.move_back(at_a, at_b);

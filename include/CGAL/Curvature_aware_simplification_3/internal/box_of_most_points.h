@@ -59,8 +59,8 @@ inline bool is_difference_finite(const Bbox_3& box, const Bbox_3& most)
 {
   for (int axis = 0; axis < 3; ++axis)
   {
-    const double center = most.min(axis) / 2. + most.max(axis) / 2.;
-    if (!std::isfinite(box.max(axis) - center) || !std::isfinite(center - box.min(axis)))
+    const double center = (most.min)(axis) / 2. + (most.max)(axis) / 2.;
+    if (!std::isfinite((box.max)(axis)-center) || !std::isfinite(center - (box.min)(axis)))
       return false;
   }
   return true;
@@ -73,7 +73,8 @@ inline bool is_difference_finite(const Bbox_3& box, const Bbox_3& most)
   {
     double half = 0.;
     for (int axis = 0; axis < 3; ++axis)
-      half = (std::max)(half, std::abs(p[axis] / 2. - (most.min(axis) / 4. + most.max(axis) / 4.)));
+      half = (std::max)(half,
+                        std::abs(p[axis] / 2. - ((most.min)(axis) / 4. + (most.max)(axis) / 4.)));
     return half;
   };
   const auto farthest = std::max_element(points.begin(), points.end(),

@@ -47,6 +47,18 @@ inline Vector plane_normal(const Neighborhood& neighborhood)
   return length > 0.5 ? Vector(n.x() / length, n.y() / length, n.z() / length) : Vector(0., 0., 1.);
 }
 
+// The length and the width of weighted neighbors: the roots of the eigenvalues of the covariance matrix of their places
+// in the plane, from the moments m_ij = sum w a^i b^j in some unit
+inline void set_extent(double m00, double m10, double m01, double m20, double m11, double m02,
+                       double unit, Local_surface& surface)
+{
+  const double aa = m20 - m10 * m10 / m00, ab = m11 - m10 * m01 / m00, bb = m02 - m01 * m01 / m00;
+  const double mean = (aa + bb) / 2., half = (aa - bb) / 2.;
+  const double difference = std::sqrt(half * half + ab * ab);
+  surface.length = unit * std::sqrt((std::max)(mean + difference, 0.) / m00);
+  surface.width = unit * std::sqrt((std::max)(mean - difference, 0.) / m00);
+}
+
 // The quadric with the least squared heights of the weighted neighbors, in the frame of `surface`. Its
 // `error` is what noise of standard deviation `noise` makes of c0; without noise, nobody asks for it, nor for
 // the `amplification`. Returns false if it fails.
@@ -120,6 +132,7 @@ inline bool fit_quadric(const Neighborhood& neighborhood, double noise, Local_su
     return false;
   for (int i = 0; i < 6; ++i)
     surface.c[i] = c(i) * (i == 0 ? unit : i < 3 ? 1. : scale);
+  set_extent(m00, m10, m01, m20, m11, m02, unit, surface);
   // var(c0) = sigma^2 (A^-1 B A^-1)_00 with A = sum w b b', B = sum w^2 b b', taken as A times the
   // mean weight
   surface.amplification = std::sqrt((std::max)(influence, 0.) * sum_of_squares / sum);
@@ -172,6 +185,7 @@ inline bool fit_plane(const Neighborhood& neighborhood, Local_surface& surface)
   const Eigen::Vector3d c = matrix.ldlt().solve(right);
   if (!c.allFinite())
     return false;
+  set_extent(m00, m10, m01, m20, m11, m02, neighborhood.radius, surface);
   std::fill(surface.c, surface.c + 6, 0.);
   surface.c[0] = c(0);
   surface.c[1] = scale * c(1);

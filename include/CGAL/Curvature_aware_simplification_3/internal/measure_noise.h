@@ -46,6 +46,15 @@ inline double noise_in_thickness(const Layer& layer)
              : 1.;
 }
 
+// Whether a layer is as wide as a surface: points on one line of a scan, whose lines are farther apart than the points
+// on them, tell neither a plane nor a quadric, and with noise along a ray of the scanner, they are in a plane across
+// the surface. The width over the length is 0.6 for random points.
+inline bool is_broad(const Layer& layer)
+{
+  constexpr double broad_enough = 1. / 3.;
+  return layer.width >= broad_enough * layer.length;
+}
+
 inline std::vector<std::size_t> all_ranges(const Noise_probes& probes)
 {
   std::vector<std::size_t> ranges(probes.of_range.size());
@@ -53,8 +62,8 @@ inline std::vector<std::size_t> all_ranges(const Noise_probes& probes)
   return ranges;
 }
 
-// The noise of each range that layers around quadrics show. The narrower layer must be wide against the
-// noise: in one as thick as wide, a fit turns along the noise.
+// The noise of each range that layers around quadrics show. The narrower layer must be broad, and wide against
+// the noise: in one as thick as wide, a fit turns along the noise.
 //
 // Where the narrowest is not, it may be two sheets. Where there is no such k up to about 500, the noise is all there is
 // to see, and sigma is the thickness; but if that is more than the median, it may be that of a thin part, and
@@ -83,7 +92,7 @@ std::vector<double> noise_around_quadrics(const Noise_probes& probes, const Neig
     std::vector<Layer> wide = layers(unknown, 2 * k);
     std::vector<std::size_t> thick;
     for (std::size_t range : unknown)
-      if (narrow[range].width >= wide_enough * narrow[range].thickness)
+      if (is_broad(narrow[range]) && narrow[range].width >= wide_enough * narrow[range].thickness)
         levels[range] = noise_of_layers(narrow[range], wide[range]) *
                         (k > smallest ? noise_in(wide[range]) : 1.);
       else
@@ -112,9 +121,6 @@ std::vector<double> noise_around_planes(const Noise_probes& probes, const Neighb
   constexpr std::size_t k = 7; // a point and the ring around it
   // A plane turns along the noise as well: with 5, it shows up to a tenth too little of it.
   constexpr double wide_enough = 6.;
-  // The width over the length: points on one line of a scan, whose lines are farther apart than the points on
-  // them, tell no plane. It is 0.6 for random points.
-  constexpr double broad_enough = 1. / 3.;
 
   const std::vector<std::size_t> ranges = all_ranges(probes);
   const auto layers = [&](std::size_t number)
@@ -122,8 +128,7 @@ std::vector<double> noise_around_planes(const Noise_probes& probes, const Neighb
   const std::vector<Layer> narrow = layers(k), wide = layers(2 * k);
   std::vector<double> levels(ranges.size(), std::numeric_limits<double>::infinity());
   for (std::size_t range : ranges)
-    if (narrow[range].width >= wide_enough * narrow[range].thickness &&
-        narrow[range].width >= broad_enough * narrow[range].length)
+    if (is_broad(narrow[range]) && narrow[range].width >= wide_enough * narrow[range].thickness)
       levels[range] = noise_of_layers(narrow[range], wide[range]);
   return levels;
 }

@@ -104,8 +104,7 @@ std::optional<Target> nearest_corner(const Surface_sample& x, const Neighbors& n
   if (!is_corner(neighborhood))
     return std::nullopt;
   const Point corner =
-      fit_local_surface(fit, last, x.normal, x.surface.neighbors, rounds_to_stay, neighborhood)
-          .origin;
+      fit_local_surface(fit, last, x.normal, x.surface, rounds_to_stay, neighborhood).origin;
   const double squared_way = squared_distance(x.point, corner);
   for (std::size_t i : neighbors)
     if (squared_distance(points[i], corner) < squared_way)

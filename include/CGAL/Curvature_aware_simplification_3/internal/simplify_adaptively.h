@@ -56,7 +56,8 @@ Distinct_samples simplify_adaptively(Cloud cloud, std::unique_ptr<Neighbor_searc
   report.maximum_surface_variation = largest_curvature<ConcurrencyTag>(features);
 
   const std::size_t number_of_samples = parameters.number_of_output_points;
-  if (number_of_samples >= cloud.size()) // all points, and duplicates
+  // all points, and duplicates; or so few that no fit tells what is between them
+  if (number_of_samples >= cloud.size() || cloud.size() < smallest_neighborhood)
     return distinct_samples<ConcurrencyTag>(
         cloud, select_points<ConcurrencyTag>(cloud, features, parameters));
 
