@@ -2240,6 +2240,23 @@ TEST(Adaptive, lies_on_a_surface_that_was_scanned_in_lines)
     }
 }
 
+// Of fewer points than a fit needs, samples were pushed far off all of them: of three on a line, by a distance.
+TEST(Adaptive, selects_of_few_points)
+{
+  const std::vector<Point> sphere = surfaces::sphere(18, 3);
+  const std::vector<std::vector<Point>> inputs = {
+      {Point(0., 0., 0.), Point(1., 0., 0.), Point(2., 0., 0.)},
+      {Point(0., 0., 0.), Point(1., 0., 0.), Point(0., 1., 0.), Point(0., 0., 1.)},
+      sphere};
+  for (const std::vector<Point>& points : inputs)
+    for (std::size_t n = 1; n <= points.size(); ++n)
+      for (const Point& p : simplified(points, np::number_of_output_points(n)))
+        EXPECT_TRUE(std::any_of(points.begin(), points.end(),
+                                [&](const Point& q) {
+          return CGAL::squared_distance(p, q) < 1e-28;
+        })) << p;
+}
+
 TEST(Adaptive, removes_noise)
 {
   const double sigma = 0.02;
