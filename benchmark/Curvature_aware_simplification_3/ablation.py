@@ -6,8 +6,8 @@ import math
 from comparison import Case, in_words
 from page import write_table
 
-DEGRADATIONS = ["clean", "sparse", "noise:0.2", "outliers:5", "clusters:5", "density:10", "uneven_noise:0.2",
-                "scan lines"]
+DEGRADATIONS = ["clean", "sparse", "noise:0.2", "outliers:5", "clusters:5", "density:10", "density:100",
+                "uneven_noise:0.2", "scan lines"]
 IDEAS = [
     ("uniform density", "adaptivity=0"),
     ("curvature in balls of half a spacing", "curvature_radius=0.5"),
@@ -25,6 +25,7 @@ IDEAS = [
     ("samples may cross borders", "keep_borders=0"),
     ("outliers not looked for", "find_outliers=0"),
     ("clusters not taken for outliers", "find_clusters=0"),
+    ("sparse parts of a surface taken for outliers", "keep_sparse_surfaces=0"),
     ("noise not measured", "measure_noise=0"),
     ("the same noise everywhere", "noise_by_place=0"),
     ("two noisy sheets not told from one", "tell_two_sheets=0"),
