@@ -24,11 +24,11 @@ struct Local_surface
   double c[6] = {0., 0., 0., 0., 0., 0.};
   std::size_t neighbors = 0; // it was fitted to
   double radius = 0.;        // of their ball; 0: not fitted
-  double length = 0.;    // standard deviation of the neighbors in the plane where it is largest,
-  double width = 0.;     // and across
-  bool is_curve = false; // the input around is a curve, as far as fits reach
-  double spread = 0.;    // of the heights of the neighbors over it
-  double error = 0.;     // standard deviation of c0 caused by noise
+  double length = 0.;        // their standard deviation in the plane, where it is largest
+  double width = 0.;         // and across
+  bool is_curve = false;     // the input around is a curve, as far as fits reach
+  double spread = 0.;        // of the heights of the neighbors over it
+  double error = 0.;         // standard deviation of c0 caused by noise
   double amplification = 0.; // the same over that of one point, for independent noise
 
   double height(double a, double b) const

@@ -60,7 +60,8 @@ inline bool is_difference_finite(const Bbox_3& box, const Bbox_3& most)
   for (int axis = 0; axis < 3; ++axis)
   {
     const double center = (most.min)(axis) / 2. + (most.max)(axis) / 2.;
-    if (!std::isfinite((box.max)(axis)-center) || !std::isfinite(center - (box.min)(axis)))
+    const double low = (box.min)(axis), high = (box.max)(axis);
+    if (!std::isfinite(high - center) || !std::isfinite(center - low))
       return false;
   }
   return true;

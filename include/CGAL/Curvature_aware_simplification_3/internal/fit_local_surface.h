@@ -70,10 +70,17 @@ inline Local_surface fit_local_surface(const Surface_fit& fit, const Point& x, c
     if (!turns && (neighborhood.size() >= largest || !is_between_lines(fit, neighborhood, surface)))
       return surface;
     is_curve = neighborhood.size() >= largest;
-    smallest = is_curve ? smallest_neighborhood
-                        : (std::min)(2 * neighborhood.size() - 1, largest); // the center may be one
-    if (turns)                                                              // and so does the guess
-      guess = is_curve ? normal : NULL_VECTOR;
+    if (is_curve)
+    {
+      smallest = smallest_neighborhood;
+      guess = normal;
+    }
+    else
+    {
+      smallest = (std::min)(2 * neighborhood.size() - 1, largest); // the center may be one of them
+      if (turns) // and the guess may have turned with another fit
+        guess = NULL_VECTOR;
+    }
   }
 }
 
