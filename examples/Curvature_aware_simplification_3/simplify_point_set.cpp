@@ -278,7 +278,7 @@ Point_set simplify(const Point_set& points, const Options& options, const NamedP
     CGAL::curvature_aware_random_simplify_point_set<Concurrency_tag>(
         points, std::back_inserter(selected), np);
     output.copy_properties(points);
-    for (const Point_set::Index index : selected)
+    for (const Point_set::Index& index : selected)
       output.insert(points, index);
     return output;
   }
