@@ -49,8 +49,8 @@ What was found is told by `simplification_report`. The manual has the details.
 The result does not depend on the unit or the origin of the coordinates (but where distances are
 equal, as on regular grids, and rounding decides), nor on the order of the points (but for which
 duplicates are returned, if more points are asked for than are distinct), and is the same, bit by
-bit, for the same input and seed, whatever the concurrency tag and the number of threads. The input is neither changed nor reordered. With \f$M\f$ input and \f$N\f$ output
-points, the time is \f$O(M (\log M + k) + i N \log M)\f$ for \f$i\f$ iterations, the memory
+bit, for the same input and seed, whatever the concurrency tag and the number of threads. The input
+is neither changed nor reordered. With \f$M\f$ input and \f$N\f$ output points, the time is \f$O(M (\log M + k) + i N \log M)\f$ for \f$i\f$ iterations, the memory
 \f$O(M)\f$; with the settings of the paper and \f$n\f$ points in a ball of the radius \f$h\f$, the time is
 \f$O(M (\log M + k) + i N (\log M + n))\f$, and with `require_uniform_sampling` \f$O(M n)\f$ more.
 
