@@ -213,6 +213,7 @@ Setting with_parameters(const std::string& parameters)
     setting =
         static_cast<std::decay_t<decltype(setting)>>(number(name, static_cast<double>(setting)));
   };
+  set("undo_rounding", settings.undo_rounding);
   set("find_outliers", settings.find_outliers);
   set("measure_noise", settings.measure_noise);
   set("noise_by_place", settings.noise_by_place);

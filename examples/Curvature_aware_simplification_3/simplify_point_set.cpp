@@ -256,6 +256,7 @@ bool show_progress(double progress)
 void print(const CGAL::Curvature_aware_simplification_report& report)
 {
   std::cout << "spacing    " << report.output_spacing << "\n"
+            << "depth step " << report.depth_step << "\n"
             << "outliers   " << report.number_of_outliers << "\n"
             << "noise      " << report.noise_level << "\n"
             << "sorting    " << report.sorting_time << " s\n"

@@ -38,13 +38,16 @@ struct Curvature_aware_simplification_report
   /// measurement, unless the settings of the paper are used
   double maximum_surface_variation = 0.;
 
+  /// typical step to which the depth of the points was rounded, as by a depth camera, and which was undone; 0 if
+  /// they show none. The median of the steps, where they differ.
+  double depth_step = 0.;
   /// number of distinct input points that were taken for outliers and left out
   std::size_t number_of_outliers = 0;
   /// standard deviation of the distance of the other input points to the surface, as estimated: the median
   /// over the points, where it differs by place
   double noise_level = 0.;
 
-  /// copying, checking and sorting the points, and building the search tree
+  /// copying, checking and sorting the points, building the search tree, and undoing the rounding of depth
   double sorting_time = 0.;
   /// surface variation and density of all input points
   double features_time = 0.;

@@ -25,6 +25,7 @@ to tune. This is the curvature-aware simplification of \cgalCite{cgal:curvature-
 a locally optimal projection started from a curvature-aware random selection, made to adapt to its
 input:
 
+-# Where depth was rounded to steps, as by a depth camera, points are moved back to between them.
 -# Outliers are found: points that few others have among their \f$k\f$ nearest neighbors, points that are
    far from others and in no layer, and small clusters apart from all else that are as thick as wide. They are
    left out of what follows, unless fewer than \f$N\f$ points, or than half of them, would be left: then

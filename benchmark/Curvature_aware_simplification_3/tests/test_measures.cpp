@@ -116,6 +116,12 @@ TEST(Degradations, do_what_they_say)
   }
   const Points rounded = degraded({Point(0., 0., 0.), Point(2., 3., 6.)}, "rounding:10", 1);
   EXPECT_LT(CGAL::squared_distance(rounded[1], Point(2.1, 2.8, 6.3)), 1e-28); // the diagonal is 7
+  // steps of a tenth of the diagonal 7 along (1, 2, 3) / sqrt(14), along which the second point is 26 / sqrt(14) = 6.95
+  // away: 10 steps are 0.05 more
+  const Points steps = degraded({Point(0., 0., 0.), Point(2., 3., 6.)}, "depth:10", 1);
+  EXPECT_EQ(steps[0], Point(0., 0., 0.));
+  EXPECT_NEAR(steps[1].x(), 2. + (7. - 26. / std::sqrt(14.)) / std::sqrt(14.), 1e-12);
+  EXPECT_NEAR(steps[1].z(), 6. + 3. * (7. - 26. / std::sqrt(14.)) / std::sqrt(14.), 1e-12);
   const Points shifted = degraded(points, "shift:1", 1);
   EXPECT_EQ(shifted[0], points[0]);
   EXPECT_NEAR(std::sqrt(CGAL::squared_distance(shifted[1], points[1])) / unit, 0.01, 1e-12);

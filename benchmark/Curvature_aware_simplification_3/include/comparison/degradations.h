@@ -127,12 +127,18 @@ inline Points with_duplicates(const Points& points, double share, CGAL::Random& 
   return result;
 }
 
+// The direction of a scanner: oblique, so that it sees all faces of a part at an angle
+inline Vector oblique_direction()
+{
+  return Vector(1., 2., 3.) / std::sqrt(14.);
+}
+
 // Only the points on planes that are `distance` apart, within 5 % of that: the lines of a scanner, which measures
-// points more densely along them than across. The planes are oblique, so that they cut all faces of a part.
+// points more densely along them than across
 inline Points with_scan_lines(const Points& points, double distance)
 {
   const double length = distance * diagonal(points);
-  const Vector across = Vector(1., 2., 3.) / std::sqrt(14.);
+  const Vector across = oblique_direction();
   Points result;
   for (const Point& p : points)
   {
@@ -143,13 +149,26 @@ inline Points with_scan_lines(const Points& points, double distance)
   return result;
 }
 
-// Coordinates rounded to multiples of `step`, as depth cameras and file formats with integers do
+// Coordinates rounded to multiples of `step`, as file formats with integers do
 inline Points with_rounding(Points points, double step)
 {
   const double length = step * diagonal(points);
   const auto rounded = [&](double x) { return length * std::round(x / length); };
   for (Point& p : points)
     p = Point(rounded(p.x()), rounded(p.y()), rounded(p.z()));
+  return points;
+}
+
+// Depth rounded to multiples of `step`, as depth cameras do
+inline Points with_rounded_depth(Points points, double step)
+{
+  const double length = step * diagonal(points);
+  const Vector direction = oblique_direction();
+  for (Point& p : points)
+  {
+    const double depth = direction * (p - CGAL::ORIGIN);
+    p = p + (length * std::round(depth / length) - depth) * direction;
+  }
   return points;
 }
 
@@ -165,8 +184,8 @@ inline Points with_shift(Points points, double distance, CGAL::Random& random)
 }
 
 // By name: clean, noise:PERCENT, uneven_noise:PERCENT, outliers:PERCENT, clusters:PERCENT, density:FACTOR,
-// hole:PERCENT, duplicates:PERCENT, lines:PERCENT, rounding:PERCENT, shift:PERCENT, or several of them one after the
-// other, as in density:10+noise:0.2
+// hole:PERCENT, duplicates:PERCENT, lines:PERCENT, rounding:PERCENT, depth:PERCENT, shift:PERCENT, or several of them
+// one after the other, as in density:10+noise:0.2
 inline Points degraded(const Points& points, const std::string& degradation, unsigned int seed)
 {
   const std::size_t plus = degradation.find('+');
@@ -197,6 +216,8 @@ inline Points degraded(const Points& points, const std::string& degradation, uns
     return with_scan_lines(points, value / 100.);
   if (name == "rounding")
     return with_rounding(points, value / 100.);
+  if (name == "depth")
+    return with_rounded_depth(points, value / 100.);
   if (name == "shift")
     return with_shift(points, value / 100., random);
   throw std::invalid_argument("there is no degradation " + degradation);

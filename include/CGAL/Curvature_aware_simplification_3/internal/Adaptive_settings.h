@@ -16,6 +16,8 @@ namespace internal {
 // benchmark can tell what it is worth. Users never see them: nothing here depends on the input.
 struct Adaptive_settings
 {
+  // Steps that depth was rounded to are undone, instead of taken for faces.
+  bool undo_rounding = true;
   // Outliers get no weight, noise is measured; without, there is taken to be none.
   bool find_outliers = true;
   // Sparse parts of a surface are none, even where all their points are thick and far from each other.

@@ -26,6 +26,7 @@
 #include <CGAL/Curvature_aware_simplification_3/internal/select_points.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/shared_features.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/smooth_points.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/undo_rounding.h>
 
 #include <CGAL/Curvature_aware_simplification_report.h>
 
@@ -49,15 +50,23 @@ Distinct_samples simplify_adaptively(Cloud cloud, std::unique_ptr<Neighbor_searc
                                      Curvature_aware_simplification_report& report)
 {
   Stopwatch stopwatch;
+  const std::size_t number_of_samples = parameters.number_of_output_points;
+  // all points, and duplicates; or so few that no fit tells what is between them
+  const bool only_selects =
+      number_of_samples >= cloud.size() || cloud.size() < smallest_neighborhood;
+  Depth_levels depth_levels;
+  if (settings.undo_rounding && !only_selects)
+    depth_levels = undo_rounding<ConcurrencyTag>(cloud, search);
+  report.depth_step = cloud.frame.length_from_frame(depth_levels.typical_step());
+  report.sorting_time += stopwatch.lap();
+
   Shared_features shared = compute_shared_features<ConcurrencyTag, DiagonalizeTraits>(
       cloud, *search, parameters.number_of_neighbors, progress.part(0., 0.3));
   Features& features = shared.features;
   report.features_time = stopwatch.lap();
   report.maximum_surface_variation = largest_curvature<ConcurrencyTag>(features);
 
-  const std::size_t number_of_samples = parameters.number_of_output_points;
-  // all points, and duplicates; or so few that no fit tells what is between them
-  if (number_of_samples >= cloud.size() || cloud.size() < smallest_neighborhood)
+  if (only_selects)
     return distinct_samples<ConcurrencyTag>(
         cloud, select_points<ConcurrencyTag>(cloud, features, parameters));
 
@@ -76,6 +85,8 @@ Distinct_samples simplify_adaptively(Cloud cloud, std::unique_ptr<Neighbor_searc
   Noise_levels noise = settings.measure_noise
                            ? measure_noise<ConcurrencyTag>(points, *search, settings)
                            : uniform_noise(0., points.size());
+  if (!depth_levels.heights.empty())
+    allow_for_rounding<ConcurrencyTag>(noise, points, depth_levels);
   if (!settings.noise_by_place)
     noise = uniform_noise(noise.median(), points.size());
   report.noise_level = cloud.frame.length_from_frame(noise.median());
