@@ -122,6 +122,22 @@ Point turned_back(const Point& p)
   return Point(-s * p.y() + c * p.z(), p.x(), c * p.y() + s * p.z());
 }
 
+double waves(double x, double y)
+{
+  return 40. * std::sin(0.03 * x) * std::cos(0.025 * y) + 0.2 * x;
+}
+
+std::vector<Point> cube(std::size_t n, unsigned int seed)
+{
+  return surfaces::sample(n, seed,
+                          [](CGAL::Random& r)
+                          {
+    const double a = r.uniform_real(0., 1.), b = r.uniform_real(0., 1.), c = r.uniform_int(0, 1);
+    const int axis = r.uniform_int(0, 2);
+    return axis == 0 ? Point(c, a, b) : axis == 1 ? Point(a, c, b) : Point(a, b, c);
+  });
+}
+
 TEST(Local_surface, moves_to_its_foot_point)
 {
   // the paraboloid z = 1 + a^2 + b^2 / 2 seen from the origin, whose nearest point is the vertex
@@ -156,6 +172,16 @@ std::vector<Point> patch(std::size_t n, unsigned int seed, const Height& height)
   for (Point& p : points)
     p = Point(p.x() - 0.5, p.y() - 0.5, height(p.x() - 0.5, p.y() - 0.5));
   return points;
+}
+
+TEST(Neighborhood, has_the_direction_of_its_line)
+{
+  Neighborhood neighborhood;
+  for (int i = -3; i <= 3; ++i) // along (1, 2, 2), and next to it
+    neighborhood.neighbors.push_back({Vector(i, 2. * i, 2. * i + 0.01 * (i % 2)), 1., 1.});
+  const Vector line = line_direction(neighborhood);
+  EXPECT_NEAR(std::abs(line * Vector(1., 2., 2.)) / 3., 1., 1e-5);
+  EXPECT_NEAR(line * plane_normal(neighborhood), 0., 1e-9);
 }
 
 TEST(Fit, of_a_quadric_is_exact)
@@ -364,7 +390,7 @@ TEST(Surface_sample, does_not_stay_in_a_gap_between_noisy_points)
                               [&](const Point& p) { return std::abs(p.x()) < half_gap; }),
                points.end());
   const Neighbor_search search(points, Tag());
-  const Surface_fit fit{search, points.size(), Noise{sigma, sigma, true, 0.}};
+  const Surface_fit fit{search, points.size(), Noise{sigma, sigma, 0., true, 0.}};
   for (double y : {-0.2, 0., 0.2})
     for (double x : {-0.01, 0., 0.01})
     {
@@ -791,6 +817,84 @@ TEST(Noise_level, is_found_on_lines_of_a_scan)
   }
 }
 
+// n x n directions a distance of 1 apart, measured again and again, with noise along them
+std::vector<Point> frames_of_a_scanner_at_rest(int n, int frames, double sigma, unsigned int seed)
+{
+  CGAL::Random random(seed);
+  std::vector<Point> points;
+  for (int frame = 0; frame < frames; ++frame)
+    for (int i = 0; i < n; ++i)
+      for (int j = 0; j < n; ++j)
+        points.emplace_back(i, j, waves(i, j) + sigma * surfaces::normal_deviate(random));
+  return points;
+}
+
+TEST(Noise_level, is_found_in_columns_of_points)
+{
+  for (int frames : {5, 10, 20})
+    for (double sigma : {0.05, 0.3})
+    {
+      const Cloud cloud =
+          make_cloud<Tag>(frames_of_a_scanner_at_rest(60, frames, sigma, 42), 1e-16);
+      Noise_levels noise = measure_noise<Tag>(cloud.points, Neighbor_search(cloud.points, Tag()));
+      const double unit = cloud.frame.length_to_frame(1.);
+      // Waves are oblique to the directions, and their noise is along these. Less is hidden by the shape of as many points as
+      // are needed to see it.
+      if (sigma > 0.1)
+      {
+        EXPECT_NEAR(noise.median() / (sigma * unit), 0.7, 0.2) << frames;
+      }
+      std::size_t columns = 0;
+      for (const Noise& here : noise.of_range)
+        if (here.radius_of_columns > 0.)
+        {
+          ++columns;
+          EXPECT_NEAR(here.radius_of_columns / unit, 1.8, 1.) << frames << ' ' << sigma;
+        }
+      EXPECT_GT(static_cast<double>(columns), 0.8 * static_cast<double>(noise.of_range.size()))
+          << frames << ' ' << sigma;
+    }
+}
+
+TEST(Noise_level, sees_no_columns_elsewhere)
+{
+  CGAL::Random random(43);
+  std::vector<Point> plate, lines;
+  for (int i = 0; i < 20000; ++i)
+  {
+    const double x = random.uniform_real(0., 100.), y = random.uniform_real(0., 100.);
+    plate.emplace_back(x, y, i % 2 == 0 ? 0. : 1.5);
+    lines.emplace_back(i % 50, random.uniform_real(0., 50.), 0.);
+  }
+  const std::vector<std::vector<Point>> inputs = {
+      frames_of_a_scanner_at_rest(60, 1, 0.3, 44),
+      surfaces::torus(20000, 3., 1., 45),
+      with_noise(surfaces::torus(20000, 3., 1., 46), 0.05, 47),
+      cube(20000, 48),
+      plate,
+      lines};
+  for (std::size_t i = 0; i < inputs.size(); ++i)
+  {
+    const Cloud cloud = make_cloud<Tag>(inputs[i], 1e-16);
+    const Noise_levels noise =
+        measure_noise<Tag>(cloud.points, Neighbor_search(cloud.points, Tag()));
+    for (const Noise& here : noise.of_range)
+      EXPECT_EQ(here.radius_of_columns, 0.) << i;
+  }
+}
+
+TEST(Noise_levels, count_for_balls_that_hold_several_columns)
+{
+  Noise_levels noise{{{1., 2., 6.}, {1., 2., 12.}, {1., 2.}, {4., 4., 12.}}, 4};
+  noise.widen_to_columns();
+  EXPECT_EQ(noise.at(0).level, 1.5);
+  EXPECT_EQ(noise.at(0).independent_level, 2.);
+  EXPECT_EQ(noise.at(1).level, 3.);
+  EXPECT_EQ(noise.at(1).independent_level, 3.);
+  EXPECT_EQ(noise.at(2).level, 1.);
+  EXPECT_EQ(noise.at(3).level, 4.);
+}
+
 TEST(Noise_levels, have_ranges_of_points)
 {
   const Noise_levels noise{{{1., 1.}, {3., 3.}, {2., 2.}}, 7};
@@ -951,17 +1055,6 @@ struct Smoothed
   std::vector<std::uint8_t> is_bent;
   double noise;
 };
-
-std::vector<Point> cube(std::size_t n, unsigned int seed)
-{
-  return surfaces::sample(n, seed,
-                          [](CGAL::Random& r)
-                          {
-    const double a = r.uniform_real(0., 1.), b = r.uniform_real(0., 1.), c = r.uniform_int(0, 1);
-    const int axis = r.uniform_int(0, 2);
-    return axis == 0 ? Point(c, a, b) : axis == 1 ? Point(a, c, b) : Point(a, b, c);
-  });
-}
 
 // of a cube, with a density that falls to a hundredth along an axis
 std::vector<Point> cube_far_from_a_scanner(std::size_t n, unsigned int seed)
@@ -1400,11 +1493,6 @@ std::vector<Point> depth_frame(int n, double step, const Depth& depth)
   return points;
 }
 
-double waves(double x, double y)
-{
-  return 40. * std::sin(0.03 * x) * std::cos(0.025 * y) + 0.2 * x;
-}
-
 Depth_levels depth_levels_of(const std::vector<Point>& points)
 {
   return find_depth_levels<Tag>(points, Neighbor_search(points, Tag()), 0.);
@@ -1554,6 +1642,10 @@ TEST(Rounding_of_depth, is_undone_between_the_borders_of_the_steps)
   EXPECT_NEAR(away(11), step * (3. / 7. - 0.5), 1e-12);
   EXPECT_NEAR(away(12), step * (4. / 7. - 0.5), 1e-12);
   EXPECT_NEAR(away(14), step * (reach / (1. + reach) - 0.5), 1e-12);
+  // of steps whose borders overlap, as if they were half as wide as high
+  const std::vector<Point> steep = {Point(0., 0., 3.), Point(0.3, 0., 6.), Point(0.4, 0., 9.)};
+  EXPECT_NEAR(rounded_away(steep[1], levels, Neighbor_search(steep, Tag())),
+              step * (0.3 - 0.1) / (2. * 1.5), 1e-12);
   // no level is below the first one, and none above the last: they end at a jump
   levels.gap_above[1] = levels.gap_above[2] = 0.;
   EXPECT_EQ(away(11), 0.);
@@ -2495,6 +2587,24 @@ TEST(Adaptive, lies_on_a_surface_whose_depth_was_rounded)
           mean_distance(each(simplified(each(frame, turned), parameters), turned_back), error),
           sigma > 0. ? 0.16 : 0.08);
       EXPECT_NEAR(report.depth_step, step, 1e-9);
+    }
+}
+
+// The nearest points were on one line of sight, and fits along it: samples were as far off as the points, and the more
+// frames, the worse.
+TEST(Adaptive, removes_noise_of_a_scanner_at_rest)
+{
+  for (int frames : {5, 10, 20})
+    for (double sigma : {0.1, 0.3})
+    {
+      CGAL::Curvature_aware_simplification_report report;
+      const std::vector<Point> output =
+          simplified(frames_of_a_scanner_at_rest(80, frames, sigma, 50),
+                     np::number_of_output_points(1000).simplification_report(std::ref(report)));
+      const double mean = mean_distance(output, [](const Point& p)
+                                        { return std::abs(p.z() - waves(p.x(), p.y())); });
+      EXPECT_LT(mean, 0.3 * sigma) << frames << ' ' << sigma;
+      EXPECT_LT(report.noise_level, sigma); // and not what balls are measured in
     }
 }
 

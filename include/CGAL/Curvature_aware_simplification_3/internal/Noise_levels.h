@@ -25,6 +25,8 @@ struct Noise
   // That of independent noise with which a fit to many points would err as much: larger if they share their
   // noise, as smoothed points do
   double independent_level = 0.;
+  // Of balls that hold several columns of points, where points are one above the other; otherwise 0
+  double radius_of_columns = 0.;
   // At the distance of the samples: only then is it worth time to reduce it.
   bool is_visible = false;
   double visible_error = 0.; // of a fit, above which it is visible there
@@ -68,6 +70,17 @@ struct Noise_levels
     for (const Noise& noise : of_range)
       levels.push_back(noise.level);
     return internal::median(levels);
+  }
+
+  // Smoothing takes the points in a ball with a radius of 4 sigma. So that this ball holds several columns, where there
+  // are any, noise counts as a quarter of their radius at least.
+  void widen_to_columns()
+  {
+    for (Noise& noise : of_range)
+    {
+      noise.level = (std::max)(noise.level, noise.radius_of_columns / 4.);
+      noise.independent_level = (std::max)(noise.independent_level, noise.level);
+    }
   }
 
   // The narrowest fits have an error of up to sigma / 2.

@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <type_traits>
 #include <vector>
 
 namespace CGAL {
@@ -61,6 +62,25 @@ double median_of(const std::vector<std::size_t>& indices, const Value& value)
   return median(values);
 }
 
+// function(place) at the probes of some ranges; those of others are left empty
+template <typename ConcurrencyTag, typename Function>
+auto at_probes(const Noise_probes& probes, const std::vector<std::size_t>& ranges,
+               const Function& function)
+{
+  std::vector<std::uint8_t> is_needed(probes.points.size(), 0);
+  for (std::size_t range : ranges)
+    for (std::size_t i : probes.of_range[range])
+      is_needed[i] = 1;
+  std::vector<std::decay_t<decltype(function(probes.points[0]))>> values(probes.points.size());
+  for_each_index<ConcurrencyTag>(0, values.size(),
+                                 [&](std::size_t i)
+                                 {
+    if (is_needed[i] != 0)
+      values[i] = function(probes.points[i]);
+  });
+  return values;
+}
+
 // The median layers of k points, of some ranges; those of others are left empty. `layer_around(search, place,
 // k)` is the layer at a probe.
 template <typename ConcurrencyTag, typename Layer_around>
@@ -68,17 +88,8 @@ std::vector<Layer> median_layers(const Noise_probes& probes, const std::vector<s
                                  const Neighbor_search& search, std::size_t k,
                                  const Layer_around& layer_around)
 {
-  std::vector<std::uint8_t> is_needed(probes.points.size(), 0);
-  for (std::size_t range : ranges)
-    for (std::size_t i : probes.of_range[range])
-      is_needed[i] = 1;
-  std::vector<Layer> layers(probes.points.size());
-  for_each_index<ConcurrencyTag>(0, layers.size(),
-                                 [&](std::size_t i)
-                                 {
-    if (is_needed[i] != 0)
-      layers[i] = layer_around(search, probes.points[i], k);
-  });
+  const std::vector<Layer> layers = at_probes<ConcurrencyTag>(
+      probes, ranges, [&](const Point& place) { return layer_around(search, place, k); });
   std::vector<Layer> medians(probes.of_range.size());
   for_each_index<ConcurrencyTag>(0, ranges.size(),
                                  [&](std::size_t r)

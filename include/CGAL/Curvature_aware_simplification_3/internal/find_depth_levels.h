@@ -8,6 +8,7 @@
 
 #include <CGAL/Curvature_aware_simplification_3/internal/Depth_levels.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Layer.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/Nearest_line.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Neighbor_search.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Neighborhood.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/fit_quadric.h>
@@ -51,7 +52,9 @@ inline Facet facet_around(const Neighbor_search& search, const Point& place)
   facet.thickness = std::sqrt((std::max)(lambda(0), 0.));
   facet.radius = neighborhood.radius;
   facet.spacing = facet.radius * std::sqrt(CGAL_PI / static_cast<double>(k));
-  facet.is_broad = lambda(1) > broad_enough * broad_enough * lambda(2);
+  // Nor on two: then, the few next to the place are on one.
+  facet.is_broad = lambda(1) > broad_enough * broad_enough * lambda(2) &&
+                   !nearest_line(search, place).holds_them();
   return facet;
 }
 

@@ -35,16 +35,30 @@ inline Eigen::Vector3d eigenvalues(const Covariance_sums& sums)
   return eigen_solver(sums, Eigen::EigenvaluesOnly).eigenvalues();
 }
 
-// The normal of the weighted least-squares plane
-inline Vector plane_normal(const Neighborhood& neighborhood)
+// The direction in which weighted neighbors are spread least (0) or most (2)
+inline Vector principal_axis(const Neighborhood& neighborhood, int which)
 {
   Covariance_sums sums;
   for (const Neighborhood::Neighbor& neighbor : neighborhood.neighbors)
     sums.add(neighbor.position, neighbor.weight);
-  const Eigen::Vector3d n = eigen_solver(sums, Eigen::ComputeEigenvectors).eigenvectors().col(0);
-  const double length = n.norm();
+  const Eigen::Vector3d axis =
+      eigen_solver(sums, Eigen::ComputeEigenvectors).eigenvectors().col(which);
+  const double length = axis.norm();
   // the closed formula fails where all neighbors coincide: any direction is as good then
-  return length > 0.5 ? Vector(n.x() / length, n.y() / length, n.z() / length) : Vector(0., 0., 1.);
+  return length > 0.5 ? Vector(axis.x() / length, axis.y() / length, axis.z() / length)
+                      : Vector(0., 0., 1.);
+}
+
+// The normal of the weighted least-squares plane
+inline Vector plane_normal(const Neighborhood& neighborhood)
+{
+  return principal_axis(neighborhood, 0);
+}
+
+// The direction of the weighted least-squares line
+inline Vector line_direction(const Neighborhood& neighborhood)
+{
+  return principal_axis(neighborhood, 2);
 }
 
 // The length and the width of weighted neighbors: the roots of the eigenvalues of the covariance matrix of their places

@@ -10,11 +10,13 @@
 #include <CGAL/Curvature_aware_simplification_3/internal/Neighbor_search.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Noise_levels.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Noise_probes.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/find_columns.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/median.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <limits>
 #include <numeric>
 #include <utility>
@@ -70,9 +72,9 @@ inline std::vector<std::size_t> all_ranges(const Noise_probes& probes)
 // the median counts. If the points end before for most ranges, they are too few to tell noise from shape, and are
 // taken as they are.
 template <typename ConcurrencyTag>
-std::vector<double> noise_around_quadrics(const Noise_probes& probes, const Neighbor_search& search,
-                                          std::size_t number_of_points,
-                                          const Adaptive_settings& settings)
+std::vector<Noise> noise_around_quadrics(const Noise_probes& probes, const Neighbor_search& search,
+                                         std::size_t number_of_points,
+                                         const Adaptive_settings& settings)
 {
   constexpr std::size_t smallest = 17, largest = 1000;
   // The width over the thickness. With 4, edges are lost in the neighborhoods of CAD parts with noise (p99 up
@@ -84,39 +86,49 @@ std::vector<double> noise_around_quadrics(const Noise_probes& probes, const Neig
   const auto noise_in = [&](const Layer& layer)
   { return settings.tell_two_sheets ? noise_in_thickness(layer) : 1.; };
   std::vector<std::size_t> unknown = all_ranges(probes);
-  std::vector<double> levels(unknown.size());
+  std::vector<Noise> noise(unknown.size());
+  std::vector<std::size_t> enough(unknown.size(), smallest); // points to hold several columns
   std::size_t k = smallest;
   std::vector<Layer> narrow = layers(unknown, k);
   for (; !unknown.empty() && k <= largest && 2 * k <= number_of_points; k *= 2)
   {
     std::vector<Layer> wide = layers(unknown, 2 * k);
+    const std::vector<std::uint8_t> are_columns =
+        find_columns<ConcurrencyTag>(probes, unknown, search, k, narrow, wide, noise);
     std::vector<std::size_t> thick;
     for (std::size_t range : unknown)
-      if (is_broad(narrow[range]) && narrow[range].width >= wide_enough * narrow[range].thickness)
-        levels[range] = noise_of_layers(narrow[range], wide[range]) *
-                        (k > smallest ? noise_in(wide[range]) : 1.);
+    {
+      if (are_columns[range] != 0)
+        enough[range] = 4 * k;
+      if (k >= enough[range] && is_broad(narrow[range]) &&
+          narrow[range].width >= wide_enough * narrow[range].thickness)
+        noise[range].level = noise_of_layers(narrow[range], wide[range]) *
+                             (k > smallest ? noise_in(wide[range]) : 1.);
       else
       {
         // until a larger size tells more
-        levels[range] = wide[range].thickness * noise_in(wide[range]);
+        noise[range].level = wide[range].thickness * noise_in(wide[range]);
         thick.push_back(range);
       }
+    }
     unknown.swap(thick);
     narrow.swap(wide);
   }
-  const bool are_too_few = k <= largest && 2 * unknown.size() >= levels.size();
-  std::vector<double> values = levels; // a copy, which the median reorders
+  const bool are_too_few = k <= largest && 2 * unknown.size() >= noise.size();
+  std::vector<double> values;
+  for (const Noise& here : noise)
+    values.push_back(here.level);
   const double limit = are_too_few ? 0. : median(values);
   for (std::size_t range : unknown)
-    levels[range] = (std::min)(levels[range], limit);
-  return levels;
+    noise[range].level = (std::min)(noise[range].level, limit);
+  return noise;
 }
 
 // The same for layers around planes, which reach half as far: they see only one side of a part that is as thick
 // as 1.6 spacings of the points, and less of details that these hardly show. Infinite where they are too
 // narrow to tell.
 template <typename ConcurrencyTag>
-std::vector<double> noise_around_planes(const Noise_probes& probes, const Neighbor_search& search)
+std::vector<Noise> noise_around_planes(const Noise_probes& probes, const Neighbor_search& search)
 {
   constexpr std::size_t k = 7; // a point and the ring around it
   // A plane turns along the noise as well: with 5, it shows up to a tenth too little of it.
@@ -126,11 +138,15 @@ std::vector<double> noise_around_planes(const Noise_probes& probes, const Neighb
   const auto layers = [&](std::size_t number)
   { return median_layers<ConcurrencyTag>(probes, ranges, search, number, Layer_around_plane()); };
   const std::vector<Layer> narrow = layers(k), wide = layers(2 * k);
-  std::vector<double> levels(ranges.size(), std::numeric_limits<double>::infinity());
+  std::vector<Noise> noise(ranges.size());
+  const std::vector<std::uint8_t> are_columns =
+      find_columns<ConcurrencyTag>(probes, ranges, search, k, narrow, wide, noise);
   for (std::size_t range : ranges)
-    if (is_broad(narrow[range]) && narrow[range].width >= wide_enough * narrow[range].thickness)
-      levels[range] = noise_of_layers(narrow[range], wide[range]);
-  return levels;
+    noise[range].level = are_columns[range] == 0 && is_broad(narrow[range]) &&
+                                 narrow[range].width >= wide_enough * narrow[range].thickness
+                             ? noise_of_layers(narrow[range], wide[range])
+                             : std::numeric_limits<double>::infinity();
+  return noise;
 }
 
 // Standard deviation sigma of the distance of the points to the surface, by place. What a fit misses of the shape
@@ -140,17 +156,21 @@ Noise_levels measure_noise(const std::vector<Point>& points, const Neighbor_sear
                            const Adaptive_settings& settings = Adaptive_settings())
 {
   const Noise_probes probes = noise_probes<ConcurrencyTag>(points);
-  std::vector<double> levels =
+  std::vector<Noise> noise =
       noise_around_quadrics<ConcurrencyTag>(probes, search, points.size(), settings);
   if (settings.noise_around_planes)
   {
-    const std::vector<double> around_planes = noise_around_planes<ConcurrencyTag>(probes, search);
-    for (std::size_t range = 0; range < levels.size(); ++range)
-      levels[range] = (std::min)(levels[range], around_planes[range]);
+    const std::vector<Noise> around_planes = noise_around_planes<ConcurrencyTag>(probes, search);
+    for (std::size_t range = 0; range < noise.size(); ++range)
+    {
+      Noise& here = noise[range];
+      here.level = (std::min)(here.level, around_planes[range].level);
+      here.radius_of_columns =
+          (std::max)(here.radius_of_columns, around_planes[range].radius_of_columns);
+    }
   }
-  std::vector<Noise> noise;
-  for (double level : levels)
-    noise.push_back({level, level});
+  for (Noise& here : noise)
+    here.independent_level = here.level;
   return {std::move(noise), points.size()};
 }
 

@@ -90,6 +90,7 @@ Distinct_samples simplify_adaptively(Cloud cloud, std::unique_ptr<Neighbor_searc
   if (!settings.noise_by_place)
     noise = uniform_noise(noise.median(), points.size());
   report.noise_level = cloud.frame.length_from_frame(noise.median());
+  noise.widen_to_columns();
   std::vector<std::uint8_t> is_bent = bent_points<ConcurrencyTag>(features, k, noise);
   features.curvature = std::vector<double>();
   report.noise_time = stopwatch.lap();

@@ -57,9 +57,9 @@ inline double rounded_away(const Point& p, const Depth_levels& levels,
   const double reach = std::sqrt(2.) * (std::max)(below, above);
   const double to_below = below > 0. ? distance_to_next_level(p, -below, levels, search) : reach;
   const double to_above = above > 0. ? distance_to_next_level(p, above, levels, search) : reach;
-  if (!(to_below + to_above > 0.))
-    return 0.;
-  const double part = to_below / (to_below + to_above) - 0.5;
+  // Steps that are less than half as wide as high are taken for wider: their borders may overlap.
+  const double width = (std::max)(to_below + to_above, (std::max)(below, above) / 2.);
+  const double part = (to_below - to_above) / (2. * width);
   return part * (part > 0. ? above : below);
 }
 
