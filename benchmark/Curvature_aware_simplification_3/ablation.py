@@ -7,7 +7,7 @@ from comparison import Case, in_words
 from page import write_table
 
 DEGRADATIONS = ["clean", "sparse", "noise:0.2", "outliers:5", "clusters:5", "density:10", "density:100",
-                "uneven_noise:0.2", "scan lines"]
+                "uneven_noise:0.2", "scan lines", "depth steps", "frames"]
 IDEAS = [
     ("uniform density", "adaptivity=0"),
     ("curvature in balls of half a spacing", "curvature_radius=0.5"),
@@ -23,10 +23,12 @@ IDEAS = [
     ("all samples move at once", "turns=1"),
     ("first steps no longer than the last", "length_of_first_steps=1"),
     ("samples may cross borders", "keep_borders=0"),
+    ("steps of the depth taken for faces", "undo_rounding=0"),
     ("outliers not looked for", "find_outliers=0"),
     ("clusters not taken for outliers", "find_clusters=0"),
     ("sparse parts of a surface taken for outliers", "keep_sparse_surfaces=0"),
     ("noise not measured", "measure_noise=0"),
+    ("noise measured in single columns of points", "find_columns=0"),
     ("the same noise everywhere", "noise_by_place=0"),
     ("two noisy sheets not told from one", "tell_two_sheets=0"),
     ("noise measured around quadrics only", "noise_around_planes=0"),
@@ -59,6 +61,14 @@ def cases(igea, meshes):
                 # 20,000 points on lines that are four times as far apart as these, and 1,500 of the output
                 yield degradation, Case(source, source, "lines:1.7+noise:0.07",
                                         percentage=0.75, sample=200000)
+                continue
+            if degradation == "depth steps":
+                # 30,000 points; steps of 2 to 3 of their spacings
+                yield degradation, Case(source, source, "noise:0.1+depth:1", percentage=10, sample=30000)
+                continue
+            if degradation == "frames":
+                # 10,000 points ten times, with noise of a third of their spacing; percentage of the 10,000
+                yield degradation, Case(source, source, "frames:0.3", percentage=10, sample=10000)
                 continue
             sparse = degradation == "sparse"
             yield degradation, Case(source, source, "clean" if sparse else degradation,
@@ -95,5 +105,7 @@ def ablation(comparison, igea, meshes, output):
             "Igea, the elephant, the anchor, the rotor, the rounded box and the wavy patch, two seeds "
             "each: above 1, the idea helps. The largest errors of two seeds scatter by several percent. "
             "*Sparse*: 1 % of the points. *Scan lines*: 1,500 of 20,000 points on lines that are four "
-            "times as far apart as these, with noise.\n\n"
+            "times as far apart as these, with noise. *Depth steps*: 30,000 points with a noise of 0.1 %, whose depth "
+            "is then rounded to steps of 1 %. *Frames*: each of 10,000 points ten times, with a noise of 0.3 % "
+            "along one direction.\n\n"
             + write_table(output / "ablation.csv", rows))

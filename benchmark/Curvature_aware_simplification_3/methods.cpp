@@ -216,6 +216,7 @@ Setting with_parameters(const std::string& parameters)
   set("undo_rounding", settings.undo_rounding);
   set("find_outliers", settings.find_outliers);
   set("measure_noise", settings.measure_noise);
+  set("find_columns", settings.find_columns);
   set("noise_by_place", settings.noise_by_place);
   set("tell_two_sheets", settings.tell_two_sheets);
   set("noise_around_planes", settings.noise_around_planes);

@@ -1634,7 +1634,7 @@ TEST(Rounding_of_depth, is_undone_between_the_borders_of_the_steps)
   // x = 9 to 14 are at z = 6: the first of them is one from the step below, and six from the one above, which are
   // farther than the sqrt(2) 3 that count
   const double reach = 3. * std::sqrt(2.);
-  const auto away = [&](int x) { return rounded_away(slope[100 * x + 50], levels, search); };
+  const auto away = [&](std::size_t x) { return rounded_away(slope[100 * x + 50], levels, search); };
   ASSERT_EQ(slope[100 * 9 + 50].z(), 6.);
   ASSERT_EQ(slope[100 * 14 + 50].z(), 6.);
   EXPECT_NEAR(away(9), step * (1. / (1. + reach) - 0.5), 1e-12);

@@ -122,6 +122,12 @@ TEST(Degradations, do_what_they_say)
   EXPECT_EQ(steps[0], Point(0., 0., 0.));
   EXPECT_NEAR(steps[1].x(), 2. + (7. - 26. / std::sqrt(14.)) / std::sqrt(14.), 1e-12);
   EXPECT_NEAR(steps[1].z(), 6. + 3. * (7. - 26. / std::sqrt(14.)) / std::sqrt(14.), 1e-12);
+  // ten times the same, but along (1, 2, 3)
+  const Points frames = degraded({Point(0., 0., 0.), Point(2., 3., 6.)}, "frames:10", 1);
+  ASSERT_EQ(frames.size(), 20u);
+  EXPECT_NE(frames[0], frames[2]);
+  EXPECT_NEAR(CGAL::cross_product(frames[0] - frames[2], Vector(1., 2., 3.)).squared_length(), 0.,
+              1e-12);
   const Points shifted = degraded(points, "shift:1", 1);
   EXPECT_EQ(shifted[0], points[0]);
   EXPECT_NEAR(std::sqrt(CGAL::squared_distance(shifted[1], points[1])) / unit, 0.01, 1e-12);

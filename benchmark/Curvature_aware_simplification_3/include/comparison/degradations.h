@@ -172,6 +172,17 @@ inline Points with_rounded_depth(Points points, double step)
   return points;
 }
 
+// Each point ten times, as of a scanner at rest, with Gaussian noise of standard deviation `sigma` along its direction
+inline Points with_frames(const Points& points, double sigma, CGAL::Random& random)
+{
+  const double length = sigma * diagonal(points);
+  Points result;
+  for (int frame = 0; frame < 10; ++frame)
+    for (const Point& p : points)
+      result.push_back(p + length * normal_deviate(random) * oblique_direction());
+  return result;
+}
+
 // Every second point is of another scan, which is `distance` off
 inline Points with_shift(Points points, double distance, CGAL::Random& random)
 {
@@ -184,8 +195,8 @@ inline Points with_shift(Points points, double distance, CGAL::Random& random)
 }
 
 // By name: clean, noise:PERCENT, uneven_noise:PERCENT, outliers:PERCENT, clusters:PERCENT, density:FACTOR,
-// hole:PERCENT, duplicates:PERCENT, lines:PERCENT, rounding:PERCENT, depth:PERCENT, shift:PERCENT, or several of them
-// one after the other, as in density:10+noise:0.2
+// hole:PERCENT, duplicates:PERCENT, lines:PERCENT, rounding:PERCENT, depth:PERCENT, frames:PERCENT, shift:PERCENT, or
+// several of them one after the other, as in density:10+noise:0.2
 inline Points degraded(const Points& points, const std::string& degradation, unsigned int seed)
 {
   const std::size_t plus = degradation.find('+');
@@ -218,6 +229,8 @@ inline Points degraded(const Points& points, const std::string& degradation, uns
     return with_rounding(points, value / 100.);
   if (name == "depth")
     return with_rounded_depth(points, value / 100.);
+  if (name == "frames")
+    return with_frames(points, value / 100., random);
   if (name == "shift")
     return with_shift(points, value / 100., random);
   throw std::invalid_argument("there is no degradation " + degradation);

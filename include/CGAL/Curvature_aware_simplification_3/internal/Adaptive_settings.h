@@ -25,6 +25,8 @@ struct Adaptive_settings
   // Isolated clusters are outliers as well.
   bool find_clusters = true;
   bool measure_noise = true;
+  // Noise is measured in layers of several columns, where points are one above the other.
+  bool find_columns = true;
   // Each range of the Hilbert curve has the noise of its place; without, all have the median.
   bool noise_by_place = true;
   // Where layers are as thick as wide, two sheets are told from one.

@@ -94,7 +94,9 @@ std::vector<Noise> noise_around_quadrics(const Noise_probes& probes, const Neigh
   {
     std::vector<Layer> wide = layers(unknown, 2 * k);
     const std::vector<std::uint8_t> are_columns =
-        find_columns<ConcurrencyTag>(probes, unknown, search, k, narrow, wide, noise);
+        settings.find_columns
+            ? find_columns<ConcurrencyTag>(probes, unknown, search, k, narrow, wide, noise)
+            : std::vector<std::uint8_t>(noise.size(), 0);
     std::vector<std::size_t> thick;
     for (std::size_t range : unknown)
     {
@@ -128,7 +130,8 @@ std::vector<Noise> noise_around_quadrics(const Noise_probes& probes, const Neigh
 // as 1.6 spacings of the points, and less of details that these hardly show. Infinite where they are too
 // narrow to tell.
 template <typename ConcurrencyTag>
-std::vector<Noise> noise_around_planes(const Noise_probes& probes, const Neighbor_search& search)
+std::vector<Noise> noise_around_planes(const Noise_probes& probes, const Neighbor_search& search,
+                                       const Adaptive_settings& settings)
 {
   constexpr std::size_t k = 7; // a point and the ring around it
   // A plane turns along the noise as well: with 5, it shows up to a tenth too little of it.
@@ -140,7 +143,9 @@ std::vector<Noise> noise_around_planes(const Noise_probes& probes, const Neighbo
   const std::vector<Layer> narrow = layers(k), wide = layers(2 * k);
   std::vector<Noise> noise(ranges.size());
   const std::vector<std::uint8_t> are_columns =
-      find_columns<ConcurrencyTag>(probes, ranges, search, k, narrow, wide, noise);
+      settings.find_columns
+          ? find_columns<ConcurrencyTag>(probes, ranges, search, k, narrow, wide, noise)
+          : std::vector<std::uint8_t>(noise.size(), 0);
   for (std::size_t range : ranges)
     noise[range].level = are_columns[range] == 0 && is_broad(narrow[range]) &&
                                  narrow[range].width >= wide_enough * narrow[range].thickness
@@ -160,7 +165,8 @@ Noise_levels measure_noise(const std::vector<Point>& points, const Neighbor_sear
       noise_around_quadrics<ConcurrencyTag>(probes, search, points.size(), settings);
   if (settings.noise_around_planes)
   {
-    const std::vector<Noise> around_planes = noise_around_planes<ConcurrencyTag>(probes, search);
+    const std::vector<Noise> around_planes =
+        noise_around_planes<ConcurrencyTag>(probes, search, settings);
     for (std::size_t range = 0; range < noise.size(); ++range)
     {
       Noise& here = noise[range];
