@@ -6,6 +6,7 @@
 #ifndef CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_FIND_COLUMNS
 #define CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_FIND_COLUMNS
 
+#include <CGAL/Curvature_aware_simplification_3/internal/Adaptive_settings.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Layer.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Nearest_line.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Neighbor_search.h>
@@ -66,8 +67,13 @@ template <typename ConcurrencyTag>
 std::vector<std::uint8_t>
 find_columns(const Noise_probes& probes, const std::vector<std::size_t>& ranges,
              const Neighbor_search& search, std::size_t k, const std::vector<Layer>& narrow,
-             const std::vector<Layer>& wide, std::vector<Noise>& noise)
+             const std::vector<Layer>& wide, const Adaptive_settings& settings,
+             std::vector<Noise>& noise)
 {
+  std::vector<std::uint8_t> are_columns(noise.size(), 0);
+  if (!settings.find_columns)
+    return are_columns;
+
   constexpr double steep = 0.3; // lines of a scan are in the surface
   // Of the thickness, from k to 2 k points: 1.4 to 2.6 on clean shapes. Where it is no more, k points are not too few,
   // and there is nothing to ask.
@@ -81,7 +87,6 @@ find_columns(const Noise_probes& probes, const std::vector<std::size_t>& ranges,
   });
   const std::vector<Column> columns =
       median_columns<ConcurrencyTag>(probes, suspects, search, 4 * k);
-  std::vector<std::uint8_t> are_columns(noise.size(), 0);
   for (std::size_t range : suspects)
     if (columns[range].rise > steep)
     {

@@ -41,8 +41,7 @@ struct Facet
 
 inline Facet facet_around(const Neighbor_search& search, const Point& place)
 {
-  constexpr std::size_t k = 8;             // a point and the ring around it
-  constexpr double broad_enough = 1. / 3.; // as for layers: not on one line
+  constexpr std::size_t k = 8; // a point and the ring around it
   static thread_local Neighborhood neighborhood;
   neighborhood.collect(search, place, k);
   const Eigen::Vector3d lambda = eigenvalues(covariance_sums(neighborhood));
@@ -52,8 +51,8 @@ inline Facet facet_around(const Neighbor_search& search, const Point& place)
   facet.thickness = std::sqrt((std::max)(lambda(0), 0.));
   facet.radius = neighborhood.radius;
   facet.spacing = facet.radius * std::sqrt(CGAL_PI / static_cast<double>(k));
-  // Nor on two: then, the few next to the place are on one.
-  facet.is_broad = lambda(1) > broad_enough * broad_enough * lambda(2) &&
+  // On no line of a scan, nor on two: then, the few next to the place are on one.
+  facet.is_broad = are_broad(radius_of_disk(lambda(1)), radius_of_disk(lambda(2))) &&
                    !nearest_line(search, place).holds_them();
   return facet;
 }
@@ -135,7 +134,8 @@ template <typename ConcurrencyTag>
 Depth_levels find_depth_levels(const std::vector<Point>& points, const Neighbor_search& search,
                                double coordinate_error)
 {
-  // Levels are at least a spacing apart. Few smooth surfaces are that flat from one point to the next, and
+  // Errors of coordinates change the difference of two heights by up to 2 sqrt(3) of them, less than 4. Levels are at
+  // least a spacing apart. Few smooth surfaces are that flat from one point to the next, and
   // those that are, all over.
   constexpr double relative_tolerance = 0.02;
 

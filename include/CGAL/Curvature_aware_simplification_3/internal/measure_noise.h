@@ -48,15 +48,6 @@ inline double noise_in_thickness(const Layer& layer)
              : 1.;
 }
 
-// Whether a layer is as wide as a surface: points on one line of a scan, whose lines are farther apart than the points
-// on them, tell neither a plane nor a quadric, and with noise along a ray of the scanner, they are in a plane across
-// the surface. The width over the length is 0.6 for random points.
-inline bool is_broad(const Layer& layer)
-{
-  constexpr double broad_enough = 1. / 3.;
-  return layer.width >= broad_enough * layer.length;
-}
-
 inline std::vector<std::size_t> all_ranges(const Noise_probes& probes)
 {
   std::vector<std::size_t> ranges(probes.of_range.size());
@@ -94,15 +85,13 @@ std::vector<Noise> noise_around_quadrics(const Noise_probes& probes, const Neigh
   {
     std::vector<Layer> wide = layers(unknown, 2 * k);
     const std::vector<std::uint8_t> are_columns =
-        settings.find_columns
-            ? find_columns<ConcurrencyTag>(probes, unknown, search, k, narrow, wide, noise)
-            : std::vector<std::uint8_t>(noise.size(), 0);
+        find_columns<ConcurrencyTag>(probes, unknown, search, k, narrow, wide, settings, noise);
     std::vector<std::size_t> thick;
     for (std::size_t range : unknown)
     {
       if (are_columns[range] != 0)
         enough[range] = 4 * k;
-      if (k >= enough[range] && is_broad(narrow[range]) &&
+      if (k >= enough[range] && narrow[range].is_broad() &&
           narrow[range].width >= wide_enough * narrow[range].thickness)
         noise[range].level = noise_of_layers(narrow[range], wide[range]) *
                              (k > smallest ? noise_in(wide[range]) : 1.);
@@ -143,11 +132,9 @@ std::vector<Noise> noise_around_planes(const Noise_probes& probes, const Neighbo
   const std::vector<Layer> narrow = layers(k), wide = layers(2 * k);
   std::vector<Noise> noise(ranges.size());
   const std::vector<std::uint8_t> are_columns =
-      settings.find_columns
-          ? find_columns<ConcurrencyTag>(probes, ranges, search, k, narrow, wide, noise)
-          : std::vector<std::uint8_t>(noise.size(), 0);
+      find_columns<ConcurrencyTag>(probes, ranges, search, k, narrow, wide, settings, noise);
   for (std::size_t range : ranges)
-    noise[range].level = are_columns[range] == 0 && is_broad(narrow[range]) &&
+    noise[range].level = are_columns[range] == 0 && narrow[range].is_broad() &&
                                  narrow[range].width >= wide_enough * narrow[range].thickness
                              ? noise_of_layers(narrow[range], wide[range])
                              : std::numeric_limits<double>::infinity();

@@ -87,10 +87,10 @@ Distinct_samples simplify_adaptively(Cloud cloud, std::unique_ptr<Neighbor_searc
                            : uniform_noise(0., points.size());
   if (!depth_levels.heights.empty())
     allow_for_rounding<ConcurrencyTag>(noise, points, depth_levels);
-  if (!settings.noise_by_place)
-    noise = uniform_noise(noise.median(), points.size());
   report.noise_level = cloud.frame.length_from_frame(noise.median());
   noise.widen_to_columns();
+  if (!settings.noise_by_place)
+    noise = uniform_noise(noise.median(), points.size());
   std::vector<std::uint8_t> is_bent = bent_points<ConcurrencyTag>(features, k, noise);
   features.curvature = std::vector<double>();
   report.noise_time = stopwatch.lap();

@@ -64,7 +64,7 @@ inline double rounded_away(const Point& p, const Depth_levels& levels,
 }
 
 // Moves points whose depth was rounded to steps to where they were before, as far as the borders of the steps tell.
-// Without that, steps look like flat faces with sharp edges. Returns the steps. O(n log n); where there are none, O(log n).
+// Without that, steps look like flat faces with sharp edges. Returns the steps. O(n log n)
 template <typename ConcurrencyTag>
 Depth_levels undo_rounding(Cloud& cloud, std::unique_ptr<Neighbor_search>& search)
 {
