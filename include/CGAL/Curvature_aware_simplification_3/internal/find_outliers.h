@@ -8,9 +8,9 @@
 
 #include <CGAL/Curvature_aware_simplification_3/internal/Adaptive_settings.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Cloud.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/few_votes.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/isolated_clusters.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/loops.h>
-#include <CGAL/Curvature_aware_simplification_3/internal/mutual_neighbors.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/prefix_sums.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/shared_features.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/sparse_surfaces.h>
@@ -30,46 +30,6 @@ namespace internal {
 // three quarters of the radius of a neighborhood, it is for one of eight.
 inline constexpr double curvature_of_round_volumes = 0.2;
 
-// Marks those that have less votes than needed_votes(i), and returns them. A vote that counts for several points
-// makes the number uncertain: those with few are asked how many of their neighbors would vote for
-// them, were these asked one by one.
-template <typename ConcurrencyTag, typename NeededVotes>
-std::vector<std::size_t>
-mark_those_with_less_votes(const Cloud& cloud, const Neighbor_search& search,
-                           const Shared_features& shared, std::size_t k,
-                           const std::vector<std::atomic<std::uint32_t>>& votes,
-                           const NeededVotes& needed_votes, std::vector<std::uint8_t>& is_outlier)
-{
-  const std::vector<std::size_t> candidates = indices_where<ConcurrencyTag>(votes.size(),
-                                                                            [&](std::size_t i) {
-    return is_outlier[i] == 0 && votes[i].load(std::memory_order_relaxed) < needed_votes(i);
-  });
-  // all are counted before any is marked
-  std::vector<std::uint8_t> is_confirmed(candidates.size());
-  for_each_index<ConcurrencyTag>(0, candidates.size(),
-                                 [&](std::size_t c)
-                                 {
-    std::size_t mutual_neighbors = 0;
-    for_each_mutual_neighbor(cloud, search, shared.features, k, is_outlier, candidates[c],
-                             [&](std::size_t) { ++mutual_neighbors; });
-    is_confirmed[c] = mutual_neighbors < needed_votes(candidates[c]) ? 1 : 0;
-  });
-  const std::vector<std::size_t> found = elements_at<ConcurrencyTag>(
-      indices_where<ConcurrencyTag>(candidates.size(),
-                                    [&](std::size_t c) { return is_confirmed[c] != 0; }),
-      candidates);
-  for_each_index<ConcurrencyTag>(0, found.size(), [&](std::size_t f) { is_outlier[found[f]] = 1; });
-  return found;
-}
-
-// Whether so many points with few votes are more than a clean scan has. Of 15 of these, at most one in 2000 points
-// was taken for an outlier; where one in 20 was added, one in 130 at least had few votes. Of few points, up to three
-// are by chance: of 6000 clean squares, disks and ellipsoids of 100 to 999 points, one had three, none had more.
-inline bool is_more_than_a_few(std::size_t with_few_votes, std::size_t points)
-{
-  return with_few_votes > 3 + points / 1000;
-}
-
 // Which points do not belong to a surface: 1 for outliers. Takes O(k + log n) for each outlier and
 // for each point with few votes, and a pass over all points for each round of uncovering, of which
 // there are few.
@@ -79,8 +39,8 @@ inline bool is_more_than_a_few(std::size_t with_few_votes, std::size_t points)
 // themselves. An outlier near a surface has neighbors there, but is no neighbor of theirs. Outliers
 // far away vote for each other; they are those whose neighborhood is as thick as wide and has more
 // than 3 times the median radius, which noise alone does not give it; of those with 2 to 3 times, the
-// roundest are. Sparse parts of a surface look like that as well, but flat points are nearby. The votes
-// of outliers do not count, which uncovers others: in a volume, those that lose a third of theirs.
+// roundest are. Sparse parts of a surface look like that as well, but flat points are nearby, or they are
+// connected to denser parts. The votes of outliers do not count, which uncovers others: in a volume, those that lose a third of theirs.
 template <typename ConcurrencyTag>
 std::vector<std::uint8_t> find_outliers(const Cloud& cloud, const Neighbor_search& search,
                                         const Shared_features& shared, std::size_t k,
@@ -99,6 +59,14 @@ std::vector<std::uint8_t> find_outliers(const Cloud& cloud, const Neighbor_searc
   };
   constexpr double rather_far = 2. / 3.; // of the radius that is far
   const double rather_sparse = rather_far * rather_far * sparse;
+  const auto number_of_thick_and_sparse = [&]
+  {
+    return indices_where<ConcurrencyTag>(n,
+                                         [&](std::size_t i) {
+      return is_thick_and_sparse(i, least_curvature_of_volumes, rather_sparse);
+           })
+        .size();
+  };
   for_each_index<ConcurrencyTag>(
       0, n, [&](std::size_t i) { votes[i].store(shared.votes[i], std::memory_order_relaxed); });
   // In a volume, two thirds of those that a point had at first: with less, much of what is around it are
@@ -110,12 +78,12 @@ std::vector<std::uint8_t> find_outliers(const Cloud& cloud, const Neighbor_searc
                ? (std::max)(quarter, 2 * std::size_t(shared.votes[i]) / 3)
                : quarter;
   };
-  const auto half = [&](std::size_t) { return k / 2; };
-  const auto mark = [&](const auto& needed_votes)
+  const auto mark = [&](const auto& needed_votes, const auto& test)
   {
     return mark_those_with_less_votes<ConcurrencyTag>(cloud, search, shared, k, votes, needed_votes,
-                                                      is_outlier);
+                                                      test, is_outlier);
   };
+  const auto mark_few_votes = [&] { return mark(few_votes, [](std::size_t) { return true; }); };
   // Outliers found take their votes back, until that uncovers no more.
   const auto take_votes_back = [&](std::vector<std::size_t> found)
   {
@@ -130,10 +98,10 @@ std::vector<std::uint8_t> find_outliers(const Cloud& cloud, const Neighbor_searc
                                   [&](std::size_t j, const Point&, double)
                                   { votes[j].fetch_sub(number, std::memory_order_relaxed); });
       });
-      found = mark(few_votes);
+      found = mark_few_votes();
     }
   };
-  const std::size_t number_with_few_votes = mark(few_votes).size();
+  const std::size_t number_with_few_votes = mark_few_votes().size();
   const std::vector<std::size_t> far_ones = indices_where<ConcurrencyTag>(n,
                                                                           [&](std::size_t i)
                                                                           {
@@ -144,15 +112,23 @@ std::vector<std::uint8_t> find_outliers(const Cloud& cloud, const Neighbor_searc
   for_each_index<ConcurrencyTag>(0, far_ones.size(),
                                  [&](std::size_t f) { is_outlier[far_ones[f]] = 1; });
   if (settings.keep_sparse_surfaces && !far_ones.empty())
-    unmark_sparse_surfaces<ConcurrencyTag>(
-        cloud, search, shared.features, k, rather_sparse,
-        needed_share_of_votes<ConcurrencyTag>(cloud, search, k, number_with_few_votes, far_ones),
-        far_ones, is_outlier);
+  {
+    const bool are_likely =
+        are_outliers_likely<ConcurrencyTag>(cloud, search, k, number_with_few_votes, far_ones);
+    unmark_sparse_surfaces<ConcurrencyTag>(cloud, search, shared.features, k, rather_sparse,
+                                           needed_share_of_votes(are_likely), far_ones, is_outlier);
+    // A tenth of the points and more, of which something tells that they are outliers, are so dense that
+    // some are not marked, and would connect others to the surface.
+    if (!are_likely || 10 * number_of_thick_and_sparse() <= n)
+      unmark_connected<ConcurrencyTag>(cloud, search, shared.features, k,
+                                       needed_share_of_neighbors(are_likely), far_ones, is_outlier);
+  }
   std::vector<std::size_t> found =
       indices_where<ConcurrencyTag>(n, [&](std::size_t i) { return is_outlier[i] != 0; });
   // Where there are more than a few near the surface, some hide between its corners' votes
   // and those of points farther off: a second look asks for half of the votes. Only once, because a
-  // border has little more than half; asked again and again, border after border would go.
+  // border has little more than half; asked again and again, border after border would go. Of points that
+  // are not sparse, only those off the surface: among sparse ones, it may be outliers that are in a plane.
   const bool are_many = is_more_than_a_few(number_with_few_votes, n);
   take_votes_back(std::move(found));
   if (settings.find_clusters) // now, since without single points between them, clusters are apart
@@ -164,7 +140,12 @@ std::vector<std::uint8_t> find_outliers(const Cloud& cloud, const Neighbor_searc
     take_votes_back(std::move(found));
   }
   if (are_many)
-    take_votes_back(mark(half));
+    take_votes_back(mark([&](std::size_t) { return k / 2; },
+                         [&](std::size_t i)
+                         {
+      return shared.features.inverse_density[i] > rather_sparse ||
+             is_off_plane_of_neighbors(cloud, search, k, is_outlier, i);
+    }));
   return is_outlier;
 }
 

@@ -36,17 +36,22 @@ inline Eigen::Vector3d eigenvalues(const Covariance_sums& sums)
 }
 
 // The direction in which weighted neighbors are spread least (0) or most (2)
-inline Vector principal_axis(const Neighborhood& neighborhood, int which)
+inline Vector principal_axis(const Covariance_sums& sums, int which)
 {
-  Covariance_sums sums;
-  for (const Neighborhood::Neighbor& neighbor : neighborhood.neighbors)
-    sums.add(neighbor.position, neighbor.weight);
   const Eigen::Vector3d axis =
       eigen_solver(sums, Eigen::ComputeEigenvectors).eigenvectors().col(which);
   const double length = axis.norm();
   // the closed formula fails where all neighbors coincide: any direction is as good then
   return length > 0.5 ? Vector(axis.x() / length, axis.y() / length, axis.z() / length)
                       : Vector(0., 0., 1.);
+}
+
+inline Vector principal_axis(const Neighborhood& neighborhood, int which)
+{
+  Covariance_sums sums;
+  for (const Neighborhood::Neighbor& neighbor : neighborhood.neighbors)
+    sums.add(neighbor.position, neighbor.weight);
+  return principal_axis(sums, which);
 }
 
 // The normal of the weighted least-squares plane

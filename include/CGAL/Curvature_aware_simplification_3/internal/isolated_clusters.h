@@ -96,14 +96,16 @@ private:
     std::unordered_set<std::size_t> is_in_component = {first};
     bool is_part_of_more = false;
     for (std::size_t visited = 0; visited < component.size() && !is_part_of_more; ++visited)
-      for_each_mutual_neighbor(m_cloud, m_search, m_features, m_k, m_is_outlier, component[visited],
-                               [&](std::size_t j)
-                               {
+      for_each_mutual_neighbor(
+          m_cloud, m_search, m_features, m_k, component[visited],
+          [&](std::size_t j) { return m_is_outlier[j] == 0; },
+          [&](std::size_t j)
+          {
         if (j < first || !may_be_in_cluster(j) || component.size() > most)
           is_part_of_more = true;
         else if (is_in_component.insert(j).second)
           component.push_back(j);
-      });
+          });
     return is_part_of_more ? std::vector<std::size_t>() : component;
   }
 

@@ -18,18 +18,17 @@ namespace CGAL {
 namespace Curvature_aware_simplification_3 {
 namespace internal {
 
-// function(j) for those j of the k nearest points of point i that have it within the radius of their own k
-// nearest. Outliers do not count.
-template <typename Function>
+// function(j) for those j of the k nearest points of point i that count and have it within the radius of their own
+// k nearest
+template <typename Counts, typename Function>
 void for_each_mutual_neighbor(const Cloud& cloud, const Neighbor_search& search,
-                              const Features& features, std::size_t k,
-                              const std::vector<std::uint8_t>& is_outlier, std::size_t i,
-                              const Function& function)
+                              const Features& features, std::size_t k, std::size_t i,
+                              const Counts& counts, const Function& function)
 {
   search.for_each_nearest(cloud.points[i], k + 1,
                           [&](std::size_t j, const Point&, double squared_distance)
                           {
-    if (j != i && is_outlier[j] == 0 &&
+    if (j != i && counts(j) &&
         squared_distance <= features.inverse_density[j] * static_cast<double>(k))
       function(j);
   });

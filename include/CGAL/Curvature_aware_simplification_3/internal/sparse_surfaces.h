@@ -13,6 +13,7 @@
 #include <CGAL/Curvature_aware_simplification_3/internal/fit_quadric.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/loops.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/median.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/mutual_neighbors.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/prefix_sums.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/shared_features.h>
 
@@ -31,7 +32,8 @@ namespace internal {
 // Points that are taken for outliers because they are thick and sparse may be sparse parts of a surface. Where a
 // scanner is far away, all of a surface is sparse, and thick at edges and where parts are hardly thicker than the
 // points are apart. But not far from there it is flat. So flat points vote for these far ones, in neighborhoods of
-// twice the radius.
+// twice the radius. And a thin part is connected to others, where its points are denser: what has points of
+// the surface for half of its neighbors, which have it for theirs, is part of it.
 
 // On a surface, twice the radius of the k nearest points holds so many. In space, one point in thirty is flat: of so
 // many neighbors, a quarter never is by chance; of k, a third is for a few of 100,000 points.
@@ -61,21 +63,25 @@ double median_curvature(const Cloud& cloud, const Neighbor_search& search, std::
   return median(curvature);
 }
 
-// The share of a neighborhood whose votes such a point needs: a quarter, or a sixteenth if nothing but the far
-// points themselves tells of outliers. Where outliers fill the box around a surface, for each fifteen far ones at
-// most, one near it has few votes. On 144 scans without outliers whose density falls 100 : 1 to 10,000 : 1, three of
-// four had one for each hundred at most. And in larger neighborhoods, parts of a surface are flatter than space is:
-// the median of kappa is 0.03 to 0.15 for most, but 0.18 to 0.26 for 400 and more outliers that all are far.
+// Whether something tells of outliers but the far points themselves. Where outliers fill the box around a surface,
+// for each fifteen far ones at most, one near it has few votes. On 144 scans without outliers whose density falls
+// 100 : 1 to 10,000 : 1, three of four had one for each hundred at most. And in larger neighborhoods, parts of a surface
+// are flatter than space is: the median of kappa is 0.03 to 0.15 for most, but 0.18 to 0.26 for 400 and more outliers
+// that all are far.
 template <typename ConcurrencyTag>
-double needed_share_of_votes(const Cloud& cloud, const Neighbor_search& search, std::size_t k,
-                             std::size_t number_with_few_votes,
-                             const std::vector<std::size_t>& far_ones)
+bool are_outliers_likely(const Cloud& cloud, const Neighbor_search& search, std::size_t k,
+                         std::size_t number_with_few_votes,
+                         const std::vector<std::size_t>& far_ones)
 {
   constexpr double largest_curvature = 0.15;
-  const bool are_outliers_likely =
-      number_with_few_votes > 3 + far_ones.size() / 100 || // up to three are by chance
-      median_curvature<ConcurrencyTag>(cloud, search, neighbors_within_twice_the_radius(k),
-                                       far_ones) > largest_curvature;
+  return number_with_few_votes > 3 + far_ones.size() / 100 || // up to three are by chance
+         median_curvature<ConcurrencyTag>(cloud, search, neighbors_within_twice_the_radius(k),
+                                          far_ones) > largest_curvature;
+}
+
+// The share of a neighborhood whose votes such a point needs
+inline double needed_share_of_votes(bool are_outliers_likely)
+{
   return are_outliers_likely ? 1. / 4. : 1. / 16.;
 }
 
@@ -132,6 +138,55 @@ void unmark_sparse_surfaces(const Cloud& cloud, const Neighbor_search& search,
                                          far_ones);
     for_each_index<ConcurrencyTag>(0, voters.size(),
                                    [&](std::size_t v) { is_outlier[voters[v]] = 0; });
+  }
+}
+
+// The share of the neighbors that such a point needs. A third would let one outlier follow the other where they are
+// dense. A quarter lets all of a tube that becomes sparse follow, where half leaves up to 4 % of its points.
+inline double needed_share_of_neighbors(bool are_outliers_likely)
+{
+  return are_outliers_likely ? 1. / 2. : 1. / 4.;
+}
+
+// Unmarks those of the far ones of whose k nearest such a share at least is not marked and has them among its own, those
+// next to these, and so on. An outlier over a surface is no neighbor of its points, and those farther off have no
+// others than outliers. O(k + log n) for each far one, and for each one unmarked.
+template <typename ConcurrencyTag>
+void unmark_connected(const Cloud& cloud, const Neighbor_search& search, const Features& features,
+                      std::size_t k, double needed_share, const std::vector<std::size_t>& far_ones,
+                      std::vector<std::uint8_t>& is_outlier)
+{
+  const double needed = needed_share * static_cast<double>(k);
+  std::vector<std::atomic<std::uint32_t>> neighbors(cloud.size()); // that are not marked
+  for_each_index<ConcurrencyTag>(0, far_ones.size(),
+                                 [&](std::size_t f)
+                                 {
+    for_each_mutual_neighbor(
+        cloud, search, features, k, far_ones[f], [&](std::size_t j) { return is_outlier[j] == 0; },
+        [&](std::size_t) { neighbors[far_ones[f]].fetch_add(1, std::memory_order_relaxed); });
+  });
+  for (;;)
+  {
+    const std::vector<std::size_t> connected =
+        elements_at<ConcurrencyTag>(indices_where<ConcurrencyTag>(far_ones.size(),
+                                                                  [&](std::size_t f)
+                                                                  {
+      const std::size_t i = far_ones[f];
+      return is_outlier[i] != 0 && neighbors[i].load(std::memory_order_relaxed) >= needed;
+                                    }),
+                                    far_ones);
+    if (connected.empty())
+      return;
+    for_each_index<ConcurrencyTag>(0, connected.size(),
+                                   [&](std::size_t c) { is_outlier[connected[c]] = 0; });
+    for_each_index<ConcurrencyTag>(0, connected.size(),
+                                   [&](std::size_t c)
+                                   {
+      for_each_mutual_neighbor(
+          cloud, search, features, k, connected[c],
+          [&](std::size_t j) { return is_outlier[j] != 0; },
+          [&](std::size_t j) { neighbors[j].fetch_add(1, std::memory_order_relaxed); });
+    });
   }
 }
 
