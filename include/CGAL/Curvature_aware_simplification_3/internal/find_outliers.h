@@ -8,6 +8,7 @@
 
 #include <CGAL/Curvature_aware_simplification_3/internal/Adaptive_settings.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Cloud.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/connected_surfaces.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/few_votes.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/isolated_clusters.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/loops.h>
@@ -59,14 +60,6 @@ std::vector<std::uint8_t> find_outliers(const Cloud& cloud, const Neighbor_searc
   };
   constexpr double rather_far = 2. / 3.; // of the radius that is far
   const double rather_sparse = rather_far * rather_far * sparse;
-  const auto number_of_thick_and_sparse = [&]
-  {
-    return indices_where<ConcurrencyTag>(n,
-                                         [&](std::size_t i) {
-      return is_thick_and_sparse(i, least_curvature_of_volumes, rather_sparse);
-           })
-        .size();
-  };
   for_each_index<ConcurrencyTag>(
       0, n, [&](std::size_t i) { votes[i].store(shared.votes[i], std::memory_order_relaxed); });
   // In a volume, two thirds of those that a point had at first: with less, much of what is around it are
@@ -117,11 +110,9 @@ std::vector<std::uint8_t> find_outliers(const Cloud& cloud, const Neighbor_searc
         are_outliers_likely<ConcurrencyTag>(cloud, search, k, number_with_few_votes, far_ones);
     unmark_sparse_surfaces<ConcurrencyTag>(cloud, search, shared.features, k, rather_sparse,
                                            needed_share_of_votes(are_likely), far_ones, is_outlier);
-    // A tenth of the points and more, of which something tells that they are outliers, are so dense that
-    // some are not marked, and would connect others to the surface.
-    if (!are_likely || 10 * number_of_thick_and_sparse() <= n)
-      unmark_connected<ConcurrencyTag>(cloud, search, shared.features, k,
-                                       needed_share_of_neighbors(are_likely), far_ones, is_outlier);
+    unmark_connected<ConcurrencyTag>(
+        cloud, search, shared.features, k, needed_share_of_neighbors(are_likely),
+        possibly_connected<ConcurrencyTag>(cloud, search, k, are_likely, far_ones), is_outlier);
   }
   std::vector<std::size_t> found =
       indices_where<ConcurrencyTag>(n, [&](std::size_t i) { return is_outlier[i] != 0; });

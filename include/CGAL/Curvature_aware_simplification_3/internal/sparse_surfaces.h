@@ -13,7 +13,6 @@
 #include <CGAL/Curvature_aware_simplification_3/internal/fit_quadric.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/loops.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/median.h>
-#include <CGAL/Curvature_aware_simplification_3/internal/mutual_neighbors.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/prefix_sums.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/shared_features.h>
 
@@ -32,8 +31,7 @@ namespace internal {
 // Points that are taken for outliers because they are thick and sparse may be sparse parts of a surface. Where a
 // scanner is far away, all of a surface is sparse, and thick at edges and where parts are hardly thicker than the
 // points are apart. But not far from there it is flat. So flat points vote for these far ones, in neighborhoods of
-// twice the radius. And a thin part is connected to others, where its points are denser: what has points of
-// the surface for half of its neighbors, which have it for theirs, is part of it.
+// twice the radius.
 
 // On a surface, twice the radius of the k nearest points holds so many. In space, one point in thirty is flat: of so
 // many neighbors, a quarter never is by chance; of k, a third is for a few of 100,000 points.
@@ -42,10 +40,23 @@ inline std::size_t neighbors_within_twice_the_radius(std::size_t k)
   return 4 * k;
 }
 
-// The median of kappa in neighborhoods of `size` points around these, or around 1000 of them, evenly along the curve:
-// it need not be exact
+// kappa of so many points around one: of parts of a surface, mostly 0.03 to 0.15, in space 0.18 to 0.26
+inline double curvature_of_twice_the_radius(const Cloud& cloud, const Neighbor_search& search,
+                                            std::size_t k, std::size_t i)
+{
+  Covariance_sums sums;
+  search.for_each_nearest(cloud.points[i], neighbors_within_twice_the_radius(k) + 1,
+                          [&](std::size_t, const Point& p, double)
+                          { sums.add(p - cloud.points[i]); });
+  const Eigen::Vector3d lambda = eigenvalues(sums);
+  return lambda(0) / lambda.sum();
+}
+
+inline constexpr double largest_curvature_of_parts = 0.15;
+
+// Its median over these, or over 1000 of them, evenly along the curve: it need not be exact
 template <typename ConcurrencyTag>
-double median_curvature(const Cloud& cloud, const Neighbor_search& search, std::size_t size,
+double median_curvature(const Cloud& cloud, const Neighbor_search& search, std::size_t k,
                         const std::vector<std::size_t>& points)
 {
   const std::size_t number_of_probes = (std::min)(std::size_t(1000), points.size());
@@ -53,12 +64,8 @@ double median_curvature(const Cloud& cloud, const Neighbor_search& search, std::
   for_each_index<ConcurrencyTag>(0, number_of_probes,
                                  [&](std::size_t i)
                                  {
-    const Point& query = cloud.points[points[i * points.size() / number_of_probes]];
-    Covariance_sums sums;
-    search.for_each_nearest(query, size + 1,
-                            [&](std::size_t, const Point& p, double) { sums.add(p - query); });
-    const Eigen::Vector3d lambda = eigenvalues(sums);
-    curvature[i] = lambda(0) / lambda.sum();
+    curvature[i] = curvature_of_twice_the_radius(cloud, search, k,
+                                                 points[i * points.size() / number_of_probes]);
   });
   return median(curvature);
 }
@@ -66,17 +73,14 @@ double median_curvature(const Cloud& cloud, const Neighbor_search& search, std::
 // Whether something tells of outliers but the far points themselves. Where outliers fill the box around a surface,
 // for each fifteen far ones at most, one near it has few votes. On 144 scans without outliers whose density falls
 // 100 : 1 to 10,000 : 1, three of four had one for each hundred at most. And in larger neighborhoods, parts of a surface
-// are flatter than space is: the median of kappa is 0.03 to 0.15 for most, but 0.18 to 0.26 for 400 and more outliers
-// that all are far.
+// are flatter than space is, and than 400 and more outliers that all are far.
 template <typename ConcurrencyTag>
 bool are_outliers_likely(const Cloud& cloud, const Neighbor_search& search, std::size_t k,
                          std::size_t number_with_few_votes,
                          const std::vector<std::size_t>& far_ones)
 {
-  constexpr double largest_curvature = 0.15;
   return number_with_few_votes > 3 + far_ones.size() / 100 || // up to three are by chance
-         median_curvature<ConcurrencyTag>(cloud, search, neighbors_within_twice_the_radius(k),
-                                          far_ones) > largest_curvature;
+         median_curvature<ConcurrencyTag>(cloud, search, k, far_ones) > largest_curvature_of_parts;
 }
 
 // The share of a neighborhood whose votes such a point needs
@@ -138,55 +142,6 @@ void unmark_sparse_surfaces(const Cloud& cloud, const Neighbor_search& search,
                                          far_ones);
     for_each_index<ConcurrencyTag>(0, voters.size(),
                                    [&](std::size_t v) { is_outlier[voters[v]] = 0; });
-  }
-}
-
-// The share of the neighbors that such a point needs. A third would let one outlier follow the other where they are
-// dense. A quarter lets all of a tube that becomes sparse follow, where half leaves up to 4 % of its points.
-inline double needed_share_of_neighbors(bool are_outliers_likely)
-{
-  return are_outliers_likely ? 1. / 2. : 1. / 4.;
-}
-
-// Unmarks those of the far ones of whose k nearest such a share at least is not marked and has them among its own, those
-// next to these, and so on. An outlier over a surface is no neighbor of its points, and those farther off have no
-// others than outliers. O(k + log n) for each far one, and for each one unmarked.
-template <typename ConcurrencyTag>
-void unmark_connected(const Cloud& cloud, const Neighbor_search& search, const Features& features,
-                      std::size_t k, double needed_share, const std::vector<std::size_t>& far_ones,
-                      std::vector<std::uint8_t>& is_outlier)
-{
-  const double needed = needed_share * static_cast<double>(k);
-  std::vector<std::atomic<std::uint32_t>> neighbors(cloud.size()); // that are not marked
-  for_each_index<ConcurrencyTag>(0, far_ones.size(),
-                                 [&](std::size_t f)
-                                 {
-    for_each_mutual_neighbor(
-        cloud, search, features, k, far_ones[f], [&](std::size_t j) { return is_outlier[j] == 0; },
-        [&](std::size_t) { neighbors[far_ones[f]].fetch_add(1, std::memory_order_relaxed); });
-  });
-  for (;;)
-  {
-    const std::vector<std::size_t> connected =
-        elements_at<ConcurrencyTag>(indices_where<ConcurrencyTag>(far_ones.size(),
-                                                                  [&](std::size_t f)
-                                                                  {
-      const std::size_t i = far_ones[f];
-      return is_outlier[i] != 0 && neighbors[i].load(std::memory_order_relaxed) >= needed;
-                                    }),
-                                    far_ones);
-    if (connected.empty())
-      return;
-    for_each_index<ConcurrencyTag>(0, connected.size(),
-                                   [&](std::size_t c) { is_outlier[connected[c]] = 0; });
-    for_each_index<ConcurrencyTag>(0, connected.size(),
-                                   [&](std::size_t c)
-                                   {
-      for_each_mutual_neighbor(
-          cloud, search, features, k, connected[c],
-          [&](std::size_t j) { return is_outlier[j] != 0; },
-          [&](std::size_t j) { neighbors[j].fetch_add(1, std::memory_order_relaxed); });
-    });
   }
 }
 
