@@ -1182,12 +1182,11 @@ struct Far_outliers
   }
 
   template <typename ConcurrencyTag>
-  std::vector<std::uint8_t> after_connecting(double needed_share,
+  std::vector<std::uint8_t> after_connecting(bool are_likely,
                                              const std::vector<std::size_t>& asked) const
   {
     std::vector<std::uint8_t> result = is_outlier;
-    unmark_connected<ConcurrencyTag>(cloud, search, shared.features, 16, needed_share, asked,
-                                     result);
+    unmark_connected<ConcurrencyTag>(cloud, search, shared.features, 16, are_likely, asked, result);
     return result;
   }
 
@@ -1235,8 +1234,7 @@ TEST(Outliers, in_space_do_not_lead_to_a_surface)
     EXPECT_GE(std::count(after.begin(), after.end(), 1) * 1000,
               static_cast<std::ptrdiff_t>(outliers.far_ones.size()) * 995);
   }
-  const std::vector<std::uint8_t> after =
-      outliers.after_connecting<Tag>(1. / 2., outliers.far_ones);
+  const std::vector<std::uint8_t> after = outliers.after_connecting<Tag>(true, outliers.far_ones);
   EXPECT_GE(std::count(after.begin(), after.end(), 1) * 1000,
             static_cast<std::ptrdiff_t>(outliers.far_ones.size()) * 995);
   EXPECT_EQ(outliers.needed_share(0), 1. / 4.); // they look like space
@@ -1247,44 +1245,45 @@ TEST(Outliers, that_are_far_may_be_connected_to_a_surface)
   const std::vector<Point> points = sparse_helix(154);
   const Far_outliers tube(points, [&](std::size_t i) { return points[i].x() > 0.7; });
   ASSERT_GT(tube.far_ones.size(), 400u);
-  const std::vector<std::uint8_t> after = tube.after_connecting<Tag>(1. / 4., tube.far_ones);
+  const std::vector<std::uint8_t> after = tube.after_connecting<Tag>(false, tube.far_ones);
   EXPECT_EQ(std::count(after.begin(), after.end(), 1), 0);
-  EXPECT_EQ(after, tube.after_connecting<CGAL::Sequential_tag>(1. / 4., tube.far_ones));
+  EXPECT_EQ(after, tube.after_connecting<CGAL::Sequential_tag>(false, tube.far_ones));
   // others are outliers for another reason
-  const std::vector<std::uint8_t> asked_one =
-      tube.after_connecting<Tag>(1. / 4., {tube.far_ones[0]});
+  const std::vector<std::uint8_t> asked_one = tube.after_connecting<Tag>(false, {tube.far_ones[0]});
   EXPECT_GE(std::count(asked_one.begin(), asked_one.end(), 1),
             static_cast<std::ptrdiff_t>(tube.far_ones.size()) - 1);
 }
 
-// Of a half of the neighbors that count, as they are counted one by one
-TEST(Outliers, that_are_connected_have_half_of_their_neighbors_on_the_surface)
+TEST(Outliers,
+     that_are_connected_have_half_of_their_neighbors_on_the_surface_and_do_not_look_like_space)
 {
   std::vector<Point> points = sparse_helix(155);
   const std::size_t surface = points.size();
   add_outliers(points, 2000, 2., 156);
-  const Far_outliers outliers(points,
-                              [&](std::size_t i) { return i >= surface || points[i].x() > 0.7; });
-  const std::vector<std::uint8_t> after =
-      outliers.after_connecting<Tag>(1. / 2., outliers.far_ones);
+  const Far_outliers outliers(points, [&](std::size_t i)
+                              { return i >= surface || (points[i].x() > 0.7 && i % 2 == 0); });
   std::vector<std::uint8_t> expected = outliers.is_outlier;
-  for (bool is_any_left = true; is_any_left;)
+  bool are_some_space = false;
+  for (bool is_any_new = true; is_any_new;)
   {
-    is_any_left = false;
+    is_any_new = false;
     for (std::size_t i : outliers.far_ones)
-    {
-      const std::size_t neighbors = static_cast<std::size_t>(
-          number_of_mutual_neighbors(outliers, i, [&](std::size_t j) { return expected[j] == 0; }));
-      if (expected[i] != 0 && neighbors >= 8)
+      if (expected[i] != 0 &&
+          number_of_mutual_neighbors(outliers, i,
+                                     [&](std::size_t j) { return expected[j] == 0; }) >= 8)
       {
-        expected[i] = 0;
-        is_any_left = true;
+        const bool is_space = curvature_of_twice_the_radius(outliers.cloud, outliers.search, 16,
+                                                            i) > largest_curvature_of_parts;
+        are_some_space |= is_space;
+        is_any_new |= !is_space;
+        expected[i] = is_space ? 1 : 0;
       }
-    }
   }
-  EXPECT_EQ(after, expected);
-  EXPECT_LT(std::count(after.begin(), after.end(), 1),
-            static_cast<std::ptrdiff_t>(outliers.far_ones.size()));
+  EXPECT_EQ(outliers.after_connecting<Tag>(true, outliers.far_ones), expected);
+  EXPECT_TRUE(are_some_space);
+  const std::ptrdiff_t left = std::count(expected.begin(), expected.end(), 1);
+  EXPECT_GT(left, 500);
+  EXPECT_LT(left + 100, static_cast<std::ptrdiff_t>(outliers.far_ones.size()));
 }
 
 TEST(Outliers, that_are_far_need_votes_of_flat_points)

@@ -34,60 +34,54 @@ inline double needed_share_of_neighbors(bool are_outliers_likely)
   return are_outliers_likely ? 1. / 2. : 1. / 4.;
 }
 
-// Those that may be connected to a surface by others: all, or if outliers are likely, those that do not look like space.
-// Otherwise, outliers of which some are too dense to be marked would connect others.
-template <typename ConcurrencyTag>
-std::vector<std::size_t> possibly_connected(const Cloud& cloud, const Neighbor_search& search,
-                                            std::size_t k, bool are_outliers_likely,
-                                            const std::vector<std::size_t>& far_ones)
-{
-  return elements_at<ConcurrencyTag>(indices_where<ConcurrencyTag>(far_ones.size(),
-                                                                   [&](std::size_t f)
-                                                                   {
-    return !are_outliers_likely || curvature_of_twice_the_radius(cloud, search, k, far_ones[f]) <=
-                                       largest_curvature_of_parts;
-                                     }),
-                                     far_ones);
-}
-
 // Unmarks those of the far ones of whose k nearest such a share at least is not marked and has them among its own, those
 // next to these, and so on. An outlier over a surface is no neighbor of its points, and those farther off have no
-// others than outliers. O(k + log n) for each far one, and for each one unmarked.
+// others than outliers. But if outliers are likely, some may be too dense to be marked and connect others: those are left
+// that look like space. O(k + log n) for each far one, and for each one unmarked.
 template <typename ConcurrencyTag>
 void unmark_connected(const Cloud& cloud, const Neighbor_search& search, const Features& features,
-                      std::size_t k, double needed_share, const std::vector<std::size_t>& far_ones,
+                      std::size_t k, bool are_outliers_likely,
+                      const std::vector<std::size_t>& far_ones,
                       std::vector<std::uint8_t>& is_outlier)
 {
-  const double needed = needed_share * static_cast<double>(k);
+  const double needed = needed_share_of_neighbors(are_outliers_likely) * static_cast<double>(k);
+  const auto looks_like_space = [&](std::size_t i)
+  { return curvature_of_twice_the_radius(cloud, search, k, i) > largest_curvature_of_parts; };
+
   std::vector<std::atomic<std::uint32_t>> neighbors(cloud.size()); // that are not marked
+  std::vector<std::uint8_t> is_asked(far_ones.size());
   for_each_index<ConcurrencyTag>(0, far_ones.size(),
                                  [&](std::size_t f)
                                  {
+    is_asked[f] =
+        is_outlier[far_ones[f]] == 0 ? 1 : 0; // the others are, once they have enough neighbors
     for_each_mutual_neighbor(
         cloud, search, features, k, far_ones[f], [&](std::size_t j) { return is_outlier[j] == 0; },
         [&](std::size_t) { neighbors[far_ones[f]].fetch_add(1, std::memory_order_relaxed); });
   });
   for (;;)
   {
-    const std::vector<std::size_t> connected =
-        elements_at<ConcurrencyTag>(indices_where<ConcurrencyTag>(far_ones.size(),
-                                                                  [&](std::size_t f)
-                                                                  {
-      const std::size_t i = far_ones[f];
-      return is_outlier[i] != 0 && neighbors[i].load(std::memory_order_relaxed) >= needed;
-                                    }),
-                                    far_ones);
-    if (connected.empty())
+    const std::vector<std::size_t> asked = indices_where<ConcurrencyTag>(far_ones.size(),
+                                                                         [&](std::size_t f) {
+      return is_asked[f] == 0 && neighbors[far_ones[f]].load(std::memory_order_relaxed) >= needed;
+    });
+    if (asked.empty())
       return;
-    for_each_index<ConcurrencyTag>(0, connected.size(),
-                                   [&](std::size_t c) { is_outlier[connected[c]] = 0; });
-    for_each_index<ConcurrencyTag>(0, connected.size(),
-                                   [&](std::size_t c)
+    for_each_index<ConcurrencyTag>(0, asked.size(),
+                                   [&](std::size_t a)
                                    {
-      for_each_mutual_neighbor(
-          cloud, search, features, k, connected[c],
-          [&](std::size_t j) { return is_outlier[j] != 0; },
-          [&](std::size_t j) { neighbors[j].fetch_add(1, std::memory_order_relaxed); });
+      is_asked[asked[a]] = 1;
+      if (!are_outliers_likely || !looks_like_space(far_ones[asked[a]]))
+        is_outlier[far_ones[asked[a]]] = 0;
+    });
+    for_each_index<ConcurrencyTag>(0, asked.size(),
+                                   [&](std::size_t a)
+                                   {
+      const std::size_t i = far_ones[asked[a]];
+      if (is_outlier[i] == 0)
+        for_each_mutual_neighbor(
+            cloud, search, features, k, i, [&](std::size_t j) { return is_outlier[j] != 0; },
+            [&](std::size_t j) { neighbors[j].fetch_add(1, std::memory_order_relaxed); });
     });
   }
 }

@@ -110,9 +110,8 @@ std::vector<std::uint8_t> find_outliers(const Cloud& cloud, const Neighbor_searc
         are_outliers_likely<ConcurrencyTag>(cloud, search, k, number_with_few_votes, far_ones);
     unmark_sparse_surfaces<ConcurrencyTag>(cloud, search, shared.features, k, rather_sparse,
                                            needed_share_of_votes(are_likely), far_ones, is_outlier);
-    unmark_connected<ConcurrencyTag>(
-        cloud, search, shared.features, k, needed_share_of_neighbors(are_likely),
-        possibly_connected<ConcurrencyTag>(cloud, search, k, are_likely, far_ones), is_outlier);
+    unmark_connected<ConcurrencyTag>(cloud, search, shared.features, k, are_likely, far_ones,
+                                     is_outlier);
   }
   std::vector<std::size_t> found =
       indices_where<ConcurrencyTag>(n, [&](std::size_t i) { return is_outlier[i] != 0; });
