@@ -45,8 +45,6 @@ void unmark_connected(const Cloud& cloud, const Neighbor_search& search, const F
                       std::vector<std::uint8_t>& is_outlier)
 {
   const double needed = needed_share_of_neighbors(are_outliers_likely) * static_cast<double>(k);
-  const auto looks_like_space = [&](std::size_t i)
-  { return curvature_of_twice_the_radius(cloud, search, k, i) > largest_curvature_of_parts; };
 
   std::vector<std::atomic<std::uint32_t>> neighbors(cloud.size()); // that are not marked
   std::vector<std::uint8_t> is_asked(far_ones.size());
@@ -71,8 +69,10 @@ void unmark_connected(const Cloud& cloud, const Neighbor_search& search, const F
                                    [&](std::size_t a)
                                    {
       is_asked[asked[a]] = 1;
-      if (!are_outliers_likely || !looks_like_space(far_ones[asked[a]]))
-        is_outlier[far_ones[asked[a]]] = 0;
+      const std::size_t i = far_ones[asked[a]];
+      if (!are_outliers_likely ||
+          curvature_of_twice_the_radius(cloud, search, k, i) <= largest_curvature_of_parts)
+        is_outlier[i] = 0;
     });
     for_each_index<ConcurrencyTag>(0, asked.size(),
                                    [&](std::size_t a)

@@ -76,7 +76,17 @@ std::vector<std::uint8_t> find_outliers(const Cloud& cloud, const Neighbor_searc
     return mark_those_with_less_votes<ConcurrencyTag>(cloud, search, shared, k, votes, needed_votes,
                                                       test, is_outlier);
   };
-  const auto mark_few_votes = [&] { return mark(few_votes, [](std::size_t) { return true; }); };
+  // Those that lost votes are in a volume if what is around looks like that, too: a thin part among outliers does not.
+  const auto mark_few_votes = [&]
+  {
+    return mark(few_votes,
+                [&](std::size_t i)
+                {
+      return votes[i].load(std::memory_order_relaxed) < quarter || !settings.keep_sparse_surfaces ||
+             curvature_of_twice_the_radius(cloud, search, k, i) >
+                 least_curvature_at_borders_of_volumes;
+    });
+  };
   // Outliers found take their votes back, until that uncovers no more.
   const auto take_votes_back = [&](std::vector<std::size_t> found)
   {

@@ -40,7 +40,7 @@ inline std::size_t neighbors_within_twice_the_radius(std::size_t k)
   return 4 * k;
 }
 
-// kappa of so many points around one: of parts of a surface, mostly 0.03 to 0.15, in space 0.18 to 0.26
+// kappa of so many points around one
 inline double curvature_of_twice_the_radius(const Cloud& cloud, const Neighbor_search& search,
                                             std::size_t k, std::size_t i)
 {
@@ -52,9 +52,13 @@ inline double curvature_of_twice_the_radius(const Cloud& cloud, const Neighbor_s
   return lambda(0) / lambda.sum();
 }
 
+// It is mostly 0.03 to 0.15 for parts of a surface, and 0.18 to 0.26 in space.
 inline constexpr double largest_curvature_of_parts = 0.15;
 
-// Its median over these, or over 1000 of them, evenly along the curve: it need not be exact
+// At the border of a volume, it is that of a half ball, 0.13.
+inline constexpr double least_curvature_at_borders_of_volumes = 0.12;
+
+// The median of that over these, or over 1000 of them, evenly along the curve: it need not be exact
 template <typename ConcurrencyTag>
 double median_curvature(const Cloud& cloud, const Neighbor_search& search, std::size_t k,
                         const std::vector<std::size_t>& points)
