@@ -6,7 +6,6 @@
 #ifndef CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_LAYER_H
 #define CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_LAYER_H
 
-#include <CGAL/Curvature_aware_simplification_3/internal/Covariance_sums.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Neighbor_search.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Neighborhood.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/fit_quadric.h>
@@ -49,14 +48,6 @@ inline double thickness(double sum_of_squares, std::size_t n, double number_of_c
   const double d = (std::max)(static_cast<double>(n) - number_of_coefficients, 1.);
   const double root = 1. - 2. / (9. * d);
   return std::sqrt(sum_of_squares / (d * root * root * root));
-}
-
-inline Covariance_sums covariance_sums(const Neighborhood& neighborhood)
-{
-  Covariance_sums sums;
-  for (const Neighborhood::Neighbor& neighbor : neighborhood.neighbors)
-    sums.add(neighbor.position);
-  return sums;
 }
 
 // An eigenvalue of the covariance matrix of a disk is a quarter of the square of its radius.

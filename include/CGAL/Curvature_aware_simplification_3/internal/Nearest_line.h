@@ -3,8 +3,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_NEAREST_LINE
-#define CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_NEAREST_LINE
+#ifndef CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_NEAREST_LINE_H
+#define CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_NEAREST_LINE_H
 
 #include <CGAL/Curvature_aware_simplification_3/internal/Layer.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Neighbor_search.h>
@@ -43,4 +43,4 @@ inline Nearest_line nearest_line(const Neighbor_search& search, const Point& pla
 } // namespace Curvature_aware_simplification_3
 } // namespace CGAL
 
-#endif // CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_NEAREST_LINE
+#endif // CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_NEAREST_LINE_H

@@ -28,7 +28,7 @@ namespace internal {
 // it, though nothing around is flat.
 
 // The share of the neighbors that such a point needs. A third would let one outlier follow the other where they are
-// dense. A quarter lets all of a tube that becomes sparse follow, where half leaves up to 4 % of its points.
+// dense. A quarter lets all of a tube that becomes sparse follow, where half leaves up to 5 % of its points.
 inline double needed_share_of_neighbors(bool are_outliers_likely)
 {
   return are_outliers_likely ? 1. / 2. : 1. / 4.;
@@ -51,8 +51,8 @@ void unmark_connected(const Cloud& cloud, const Neighbor_search& search, const F
   for_each_index<ConcurrencyTag>(0, far_ones.size(),
                                  [&](std::size_t f)
                                  {
-    is_asked[f] =
-        is_outlier[far_ones[f]] == 0 ? 1 : 0; // the others are, once they have enough neighbors
+    // those that are still marked, once they have enough neighbors
+    is_asked[f] = is_outlier[far_ones[f]] == 0 ? 1 : 0;
     for_each_mutual_neighbor(
         cloud, search, features, k, far_ones[f], [&](std::size_t j) { return is_outlier[j] == 0; },
         [&](std::size_t) { neighbors[far_ones[f]].fetch_add(1, std::memory_order_relaxed); });

@@ -3,8 +3,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_FIND_COLUMNS
-#define CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_FIND_COLUMNS
+#ifndef CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_FIND_COLUMNS_H
+#define CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_FIND_COLUMNS_H
 
 #include <CGAL/Curvature_aware_simplification_3/internal/Adaptive_settings.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Layer.h>
@@ -101,4 +101,4 @@ find_columns(const Noise_probes& probes, const std::vector<std::size_t>& ranges,
 } // namespace Curvature_aware_simplification_3
 } // namespace CGAL
 
-#endif // CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_FIND_COLUMNS
+#endif // CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_FIND_COLUMNS_H

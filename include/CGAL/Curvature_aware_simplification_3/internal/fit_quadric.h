@@ -35,7 +35,7 @@ inline Eigen::Vector3d eigenvalues(const Covariance_sums& sums)
   return eigen_solver(sums, Eigen::EigenvaluesOnly).eigenvalues();
 }
 
-// The direction in which weighted neighbors are spread least (0) or most (2)
+// The direction in which weighted points are spread least (0) or most (2)
 inline Vector principal_axis(const Covariance_sums& sums, int which)
 {
   const Eigen::Vector3d axis =
@@ -46,24 +46,24 @@ inline Vector principal_axis(const Covariance_sums& sums, int which)
                       : Vector(0., 0., 1.);
 }
 
-inline Vector principal_axis(const Neighborhood& neighborhood, int which)
+inline Covariance_sums covariance_sums(const Neighborhood& neighborhood)
 {
   Covariance_sums sums;
   for (const Neighborhood::Neighbor& neighbor : neighborhood.neighbors)
     sums.add(neighbor.position, neighbor.weight);
-  return principal_axis(sums, which);
+  return sums;
 }
 
 // The normal of the weighted least-squares plane
 inline Vector plane_normal(const Neighborhood& neighborhood)
 {
-  return principal_axis(neighborhood, 0);
+  return principal_axis(covariance_sums(neighborhood), 0);
 }
 
 // The direction of the weighted least-squares line
 inline Vector line_direction(const Neighborhood& neighborhood)
 {
-  return principal_axis(neighborhood, 2);
+  return principal_axis(covariance_sums(neighborhood), 2);
 }
 
 // The length and the width of weighted neighbors: the roots of the eigenvalues of the covariance matrix of their places
