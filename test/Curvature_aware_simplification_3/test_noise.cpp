@@ -1,0 +1,235 @@
+// The level of the noise and its ranges
+
+#include "inputs.h"
+
+#include <CGAL/Curvature_aware_simplification_3/internal/Cloud.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/Neighbor_search.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/Noise_levels.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/measure_noise.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/median.h>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace {
+
+using namespace inputs;
+
+double noise_of(const std::vector<Point>& points)
+{
+  const Cloud cloud = make_cloud<Tag>(points, 1e-16);
+  return cloud.frame.length_from_frame(
+      measure_noise<Tag>(cloud.points, Neighbor_search(cloud.points, Tag())).median());
+}
+
+TEST(Noise_level, is_found_on_smooth_surfaces)
+{
+  // up to about the spacing of the points, which is 0.05: there, 15.5 % of the noise hides itself
+  for (double sigma : {0.005, 0.02, 0.05})
+    EXPECT_NEAR(noise_of(with_noise(surfaces::torus(50000, 3., 1., 8), sigma, 9)) / sigma, 1., 0.16)
+        << sigma;
+  for (double sigma : {0.001, 0.003, 0.008})
+    EXPECT_NEAR(noise_of(with_noise(surfaces::square(20000, 8), sigma, 10)) / sigma, 1., 0.15)
+        << sigma;
+  // much wider than the spacing: at least its size
+  EXPECT_NEAR(noise_of(with_noise(surfaces::square(20000, 8), 0.05, 10)) / 0.05, 1., 0.5);
+}
+
+TEST(Noise_level, is_that_of_one_of_two_close_sheets)
+{
+  // sheets with the noise 1 at heights of a and -a: s^2 = a^2 + 1, kurtosis -2 a^4 / s^4
+  EXPECT_NEAR(noise_in_thickness({std::sqrt(3.), 1., 1., -8. / 9.}), 1. / std::sqrt(3.), 1e-15);
+  EXPECT_EQ(noise_in_thickness({1., 1., 1., -2.}), 0.);
+  EXPECT_EQ(noise_in_thickness({1., 1., 1., -0.6}), 1.); // of one sheet, cut off by a ball
+  // With noise of four spacings of the points, three sigma apart, neither is seen alone. The thickness
+  // of both together is 1.8 sigma.
+  std::vector<Point> points;
+  for (const Point& p : surfaces::square(40000, 8))
+    points.emplace_back(p.x(), p.y(), points.size() % 2 == 0 ? 0.03 : -0.03);
+  EXPECT_NEAR(noise_of(with_noise(std::move(points), 0.02, 10)) / 0.02, 1., 0.25);
+}
+
+TEST(Noise_level, is_small_without_noise)
+{
+  EXPECT_LT(noise_of(surfaces::square(20000, 11)), 1e-9);
+  // cubic terms of the shape over a neighborhood of radius 0.05
+  EXPECT_LT(noise_of(surfaces::torus(50000, 3., 1., 11)), 2e-4);
+}
+
+// The level at each point of the cloud, in the unit of the input
+std::vector<double> noise_of_points(const Cloud& cloud)
+{
+  const Noise_levels noise = measure_noise<Tag>(cloud.points, Neighbor_search(cloud.points, Tag()));
+  std::vector<double> levels(cloud.size());
+  for (std::size_t i = 0; i < levels.size(); ++i)
+    levels[i] = cloud.frame.length_from_frame(noise.at(i).level);
+  return levels;
+}
+
+TEST(Noise_level, is_that_of_the_place)
+{
+  std::vector<Point> points = with_noise(surfaces::square(50000, 8), 0.001, 9);
+  for (const Point& p : with_noise(surfaces::square(50000, 10), 0.004, 11))
+    points.emplace_back(p.x() + 1., p.y(), p.z());
+  const Cloud cloud = make_cloud<Tag>(points, 1e-16);
+  const std::vector<double> levels = noise_of_points(cloud);
+  for (std::size_t i = 0; i < cloud.size(); ++i)
+  {
+    const double x = points[cloud.input_index[i]].x();
+    if (x < 0.7 || x > 1.3)
+    {
+      EXPECT_NEAR(levels[i] / (x < 1. ? 0.001 : 0.004), 1., 0.2) << x;
+    }
+  }
+}
+
+TEST(Noise_level, of_a_thin_part_is_not_its_thickness)
+{
+  // a wire that is hardly thicker than its noise, on a sphere
+  const double sigma = 0.02;
+  std::vector<Point> points = surfaces::sphere(30000, 8);
+  for (const Point& p : surfaces::square(10000, 9))
+    points.emplace_back(1. + 4. * p.x(), 0.04 * std::cos(2. * CGAL_PI * p.y()),
+                        0.04 * std::sin(2. * CGAL_PI * p.y()));
+  for (double level : noise_of_points(make_cloud<Tag>(with_noise(points, sigma, 10), 1e-16)))
+  {
+    EXPECT_GT(level, 0.7 * sigma);
+    EXPECT_LT(level, 1.3 * sigma);
+  }
+}
+
+TEST(Noise_level, of_a_thick_part_of_few_points_is_that_of_others)
+{
+  // 700 points on a sphere, and 300 on a wire as thick as its noise, which end before it looks flat
+  const double sigma = 0.02;
+  std::vector<Point> points = surfaces::sphere(700, 8);
+  for (const Point& p : surfaces::square(300, 9))
+    points.emplace_back(3. + 8. * p.x(), 0., 0.);
+  const Cloud cloud = make_cloud<Tag>(with_noise(points, sigma, 10), 1e-16);
+  const std::vector<double> levels = noise_of_points(cloud);
+  for (std::size_t i = 0; i < cloud.size(); ++i)
+  {
+    EXPECT_GT(levels[i], 0.5 * sigma) << points[cloud.input_index[i]];
+    EXPECT_LT(levels[i], 2. * sigma) << points[cloud.input_index[i]];
+  }
+}
+
+TEST(Noise_level, is_found_on_lines_of_a_scan)
+{
+  // Lines 1 apart, with noise of the range alone. With points 1/4 apart, the 7 nearest are on one line, and with
+  // 1/10 the 17 nearest: in the plane of its noise, which does not show there.
+  for (const auto& [distance, sigma] : {std::make_pair(0.25, 0.05), std::make_pair(0.1, 0.03)})
+  {
+    CGAL::Random random(41);
+    std::vector<Point> points;
+    for (int i = 0; i < 50; ++i)
+      for (int j = 0; j < 50. / distance; ++j)
+        points.emplace_back(i, distance * j, sigma * surfaces::normal_deviate(random));
+    for (double level : noise_of_points(make_cloud<Tag>(points, 1e-16)))
+      EXPECT_NEAR(level, sigma, 0.25 * sigma) << distance;
+  }
+}
+
+TEST(Noise_level, is_found_in_columns_of_points)
+{
+  for (int frames : {5, 10, 20})
+    for (double sigma : {0.05, 0.3})
+    {
+      const Cloud cloud =
+          make_cloud<Tag>(frames_of_a_scanner_at_rest(60, frames, sigma, 42), 1e-16);
+      Noise_levels noise = measure_noise<Tag>(cloud.points, Neighbor_search(cloud.points, Tag()));
+      const double unit = cloud.frame.length_to_frame(1.);
+      // Waves are oblique to the directions, and their noise is along these. Less is hidden by the shape of as many points as
+      // are needed to see it.
+      if (sigma > 0.1)
+      {
+        EXPECT_NEAR(noise.median() / (sigma * unit), 0.7, 0.2) << frames;
+      }
+      std::size_t columns = 0;
+      for (const Noise& here : noise.of_range)
+        if (here.radius_of_columns > 0.)
+        {
+          ++columns;
+          EXPECT_NEAR(here.radius_of_columns / unit, 1.8, 1.) << frames << ' ' << sigma;
+        }
+      EXPECT_GT(static_cast<double>(columns), 0.8 * static_cast<double>(noise.of_range.size()))
+          << frames << ' ' << sigma;
+    }
+}
+
+TEST(Noise_level, sees_no_columns_elsewhere)
+{
+  CGAL::Random random(43);
+  std::vector<Point> plate, lines;
+  for (int i = 0; i < 20000; ++i)
+  {
+    const double x = random.uniform_real(0., 100.), y = random.uniform_real(0., 100.);
+    plate.emplace_back(x, y, i % 2 == 0 ? 0. : 1.5);
+    lines.emplace_back(i % 50, random.uniform_real(0., 50.), 0.);
+  }
+  const std::vector<std::vector<Point>> inputs = {
+      frames_of_a_scanner_at_rest(60, 1, 0.3, 44),
+      surfaces::torus(20000, 3., 1., 45),
+      with_noise(surfaces::torus(20000, 3., 1., 46), 0.05, 47),
+      cube(20000, 48),
+      plate,
+      lines};
+  for (std::size_t i = 0; i < inputs.size(); ++i)
+  {
+    const Cloud cloud = make_cloud<Tag>(inputs[i], 1e-16);
+    const Noise_levels noise =
+        measure_noise<Tag>(cloud.points, Neighbor_search(cloud.points, Tag()));
+    for (const Noise& here : noise.of_range)
+      EXPECT_EQ(here.radius_of_columns, 0.) << i;
+  }
+}
+
+TEST(Noise_levels, count_for_balls_that_hold_several_columns)
+{
+  Noise_levels noise{{{1., 2., 6.}, {1., 2., 12.}, {1., 2.}, {4., 4., 12.}}, 4};
+  noise.widen_to_columns();
+  EXPECT_EQ(noise.at(0).level, 1.5);
+  EXPECT_EQ(noise.at(0).independent_level, 2.);
+  EXPECT_EQ(noise.at(1).level, 3.);
+  EXPECT_EQ(noise.at(1).independent_level, 3.);
+  EXPECT_EQ(noise.at(2).level, 1.);
+  EXPECT_EQ(noise.at(3).level, 4.);
+}
+
+TEST(Noise_levels, have_ranges_of_points)
+{
+  const Noise_levels noise{{{1., 1.}, {3., 3.}, {2., 2.}}, 7};
+  const std::vector<std::size_t> begins{0, 3, 5, 7};
+  for (std::size_t range = 0; range < 3; ++range)
+  {
+    EXPECT_EQ(noise.first_point[range], begins[range]);
+    for (std::size_t i = begins[range]; i < begins[range + 1]; ++i)
+      EXPECT_EQ(noise.at(i).level, noise.of_range[range].level);
+  }
+  EXPECT_EQ(noise.median(), 2.);
+}
+
+TEST(Noise_levels, are_visible_above_a_bound)
+{
+  Noise_levels noise{{{1., 1.}, {3., 3.}}, 2};
+  EXPECT_FALSE(noise.is_visible());
+  noise.make_visible_above(1.);
+  EXPECT_FALSE(noise.at(0).is_visible);
+  EXPECT_TRUE(noise.at(1).is_visible);
+  EXPECT_TRUE(noise.is_visible());
+  noise.make_visible_above(1.5);
+  EXPECT_FALSE(noise.is_visible());
+}
+
+TEST(Noise_level, of_a_clean_plate_as_thin_as_its_points_are_apart_is_none)
+{
+  // 17 neighbors are on both sides, and look like a layer of noise; 7 are on one
+  for (double level : noise_of_points(make_cloud<Tag>(thin_plate(1.6), 1e-16)))
+    EXPECT_LT(level, 1e-9);
+}
+
+} // namespace

@@ -1,0 +1,527 @@
+// Which points are outliers, and which are not
+
+#include "inputs.h"
+
+#include <CGAL/Curvature_aware_simplification_3/internal/Cloud.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/Neighbor_search.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/find_outliers.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/remove_outliers.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/shared_features.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/sparse_surfaces.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <set>
+#include <utility>
+#include <vector>
+
+namespace {
+
+using namespace inputs;
+
+std::vector<std::uint8_t> outliers_of(const Cloud& cloud)
+{
+  const Neighbor_search search(cloud.points, Tag());
+  return find_outliers<Tag>(cloud, search, shared_features_of(cloud, search), 16,
+                            Adaptive_settings());
+}
+
+// of a cube, with a density that falls to a hundredth along an axis
+std::vector<Point> cube_far_from_a_scanner(std::size_t n, unsigned int seed)
+{
+  CGAL::Random random(seed + 1);
+  std::vector<Point> result;
+  for (const Point& p : cube(n, seed))
+    if (random.get_double() < std::pow(100., -p.x()))
+      result.push_back(p);
+  return result;
+}
+
+TEST(Outliers, are_not_on_sparse_parts_of_a_surface)
+{
+  for (double sigma : {0., 0.0005})
+    for (unsigned int seed : {131u, 132u, 133u})
+    {
+      const Cloud cloud = make_cloud<Tag>(
+          with_noise(cube_far_from_a_scanner(100000, seed), sigma, seed + 10), 1e-16);
+      const std::vector<std::uint8_t> is_outlier = outliers_of(cloud);
+      EXPECT_LE(std::count(is_outlier.begin(), is_outlier.end(), 1), 2) << sigma << ' ' << seed;
+    }
+}
+
+// of a square plate, with a density that falls to a hundredth along it, and a rod at that end, as sparse
+std::vector<Point> plate_with_sparse_rod(double radius, unsigned int seed)
+{
+  CGAL::Random random(seed);
+  std::vector<Point> result;
+  for (std::size_t i = 0; i < 100000; ++i)
+  {
+    const double x = random.get_double(), y = random.get_double();
+    if (random.get_double() < std::pow(100., -x))
+      result.emplace_back(x, y, 0.);
+  }
+  const double length = 0.6, density = 1000.;
+  for (std::size_t i = 0; i < static_cast<std::size_t>(2. * CGAL_PI * radius * length * density);
+       ++i)
+  {
+    const double angle = random.get_double(0., 2. * CGAL_PI);
+    result.emplace_back(random.get_double(1., 1. + length), 0.5 + radius * std::cos(angle),
+                        radius * std::sin(angle));
+  }
+  return result;
+}
+
+TEST(Outliers, are_not_on_thin_sparse_parts_of_a_surface)
+{
+  for (double radius : {0.02, 0.04}) // a spacing of 0.03: as thick as wide
+    for (unsigned int seed : {141u, 142u, 143u})
+    {
+      const Cloud cloud = make_cloud<Tag>(plate_with_sparse_rod(radius, seed), 1e-16);
+      const std::vector<std::uint8_t> is_outlier = outliers_of(cloud);
+      EXPECT_LE(std::count(is_outlier.begin(), is_outlier.end(), 1), 5) << radius << ' ' << seed;
+    }
+}
+
+// of a helix of six turns, a tube with a radius of 0.1, with a density that falls by a factor along x, to where points are as
+// far from each other as the tube is wide
+std::vector<Point> sparse_helix(double factor, unsigned int seed)
+{
+  CGAL::Random random(seed);
+  std::vector<Point> result;
+  for (std::size_t i = 0; i < 30000; ++i)
+  {
+    const double t = random.get_double(0., 12. * CGAL_PI),
+                 angle = random.get_double(0., 2. * CGAL_PI);
+    const double r = 1. + 0.1 * std::cos(angle);
+    const Point p(r * std::cos(t), r * std::sin(t), 0.056 * t + 0.1 * std::sin(angle));
+    if (random.get_double() < std::pow(factor, -(p.x() + 1.1) / 2.2))
+      result.push_back(p);
+  }
+  return result;
+}
+
+TEST(Outliers, are_not_on_thin_parts_that_become_sparse)
+{
+  for (unsigned int seed : {151u, 152u, 153u})
+  {
+    std::vector<Point> points = sparse_helix(10., seed);
+    const std::size_t surface = points.size();
+    const std::vector<std::uint8_t> is_outlier = outliers_of(make_cloud<Tag>(points, 1e-16));
+    // 107 to 143 where only flat points tell of a surface
+    EXPECT_LE(std::count(is_outlier.begin(), is_outlier.end(), 1), 3) << seed;
+
+    add_outliers(points, surface / 20, 2., seed + 10);
+    const Cloud cloud = make_cloud<Tag>(points, 1e-16);
+    const std::vector<std::uint8_t> among_others = outliers_of(cloud);
+    std::size_t lost = 0, found = 0;
+    for (std::size_t i = 0; i < cloud.size(); ++i)
+      if (among_others[i] != 0)
+        ++(cloud.input_index[i] < surface ? lost : found);
+    EXPECT_LT(lost, surface / 200) << seed;
+    EXPECT_GT(found, (points.size() - surface) * 8 / 10) << seed; // others are near the surface
+  }
+}
+
+TEST(Outliers, around_a_sparse_thin_part_do_not_take_it_with_them)
+{
+  for (unsigned int seed : {151u, 152u, 153u})
+  {
+    std::vector<Point> points = sparse_helix(30., seed);
+    const std::size_t surface = points.size();
+    CGAL::Random random(seed + 10);
+    while (points.size() < surface + surface / 20)
+    {
+      const double x = random.get_double(-1.3, 1.3), y = random.get_double(-1.3, 1.3);
+      points.emplace_back(x, y, random.get_double(-0.2, 2.4));
+    }
+    const Cloud cloud = make_cloud<Tag>(points, 1e-16);
+    const std::vector<std::uint8_t> is_outlier = outliers_of(cloud);
+    std::size_t lost = 0;
+    for (std::size_t i = 0; i < cloud.size(); ++i)
+      lost += cloud.input_index[i] < surface ? is_outlier[i] : 0;
+    EXPECT_LT(lost, 250u)
+        << seed; // 600 to 740 if all that lose a third of their votes are outliers
+  }
+}
+
+// Points taken for outliers since they are thick, and what is told of them
+struct Far_outliers
+{
+  template <typename Is_far>
+  Far_outliers(const std::vector<Point>& points, const Is_far& is_far)
+    : cloud(make_cloud<Tag>(points, 1e-16)),
+      search(cloud.points, Tag()),
+      shared(shared_features_of(cloud, search)),
+      is_outlier(cloud.size())
+  {
+    for (std::size_t i = 0; i < cloud.size(); ++i)
+      if (shared.features.curvature[i] > least_curvature_of_volumes && is_far(cloud.input_index[i]))
+      {
+        is_outlier[i] = 1;
+        far_ones.push_back(i);
+      }
+  }
+
+  template <typename ConcurrencyTag>
+  std::vector<std::uint8_t> after_votes(double needed_share,
+                                        const std::vector<std::size_t>& asked) const
+  {
+    std::vector<std::uint8_t> result = is_outlier;
+    unmark_sparse_surfaces<ConcurrencyTag>(cloud, search, shared.features, 16,
+                                           far_inverse_density(shared.features.inverse_density),
+                                           needed_share, asked, result);
+    return result;
+  }
+
+  template <typename ConcurrencyTag>
+  std::vector<std::uint8_t> after_connecting(bool are_likely,
+                                             const std::vector<std::size_t>& asked) const
+  {
+    std::vector<std::uint8_t> result = is_outlier;
+    unmark_connected<ConcurrencyTag>(cloud, search, shared.features, 16, are_likely, asked, result);
+    return result;
+  }
+
+  double needed_share(std::size_t number_with_few_votes) const
+  {
+    return needed_share_of_votes(
+        are_outliers_likely<Tag>(cloud, search, 16, number_with_few_votes, far_ones));
+  }
+
+  Cloud cloud;
+  Neighbor_search search;
+  Shared_features shared;
+  std::vector<std::uint8_t> is_outlier;
+  std::vector<std::size_t> far_ones;
+};
+
+// by brute force: those nearer than the 17th nearest point, itself the first, of both
+template <typename Counts>
+std::ptrdiff_t number_of_mutual_neighbors(const Far_outliers& cloud, std::size_t i,
+                                          const Counts& counts)
+{
+  const std::vector<Point>& points = cloud.cloud.points;
+  std::vector<std::pair<double, std::size_t>> by_distance;
+  for (std::size_t j = 0; j < points.size(); ++j)
+    by_distance.emplace_back(CGAL::squared_distance(points[i], points[j]), j);
+  std::nth_element(by_distance.begin(), by_distance.begin() + 16, by_distance.end());
+  return std::count_if(by_distance.begin(), by_distance.begin() + 17,
+                       [&](const std::pair<double, std::size_t>& neighbor)
+                       {
+    return neighbor.second != i && counts(neighbor.second) &&
+           neighbor.first <= 16. * cloud.shared.features.inverse_density[neighbor.second];
+  });
+}
+
+TEST(Outliers, in_space_do_not_lead_to_a_surface)
+{
+  std::vector<Point> points = surfaces::sphere(100000, 134);
+  const std::size_t surface = points.size();
+  add_outliers(points, 30000, 2., 135);
+  const Far_outliers outliers(points, [&](std::size_t i) { return i >= surface; });
+  EXPECT_GT(outliers.far_ones.size(), 28000u);
+  for (double share : {1. / 4., 1. / 16.})
+  {
+    const std::vector<std::uint8_t> after = outliers.after_votes<Tag>(share, outliers.far_ones);
+    EXPECT_GE(std::count(after.begin(), after.end(), 1) * 1000,
+              static_cast<std::ptrdiff_t>(outliers.far_ones.size()) * 995);
+  }
+  const std::vector<std::uint8_t> after = outliers.after_connecting<Tag>(true, outliers.far_ones);
+  EXPECT_GE(std::count(after.begin(), after.end(), 1) * 1000,
+            static_cast<std::ptrdiff_t>(outliers.far_ones.size()) * 995);
+  EXPECT_EQ(outliers.needed_share(0), 1. / 4.); // they look like space
+}
+
+TEST(Outliers, that_are_far_may_be_connected_to_a_surface)
+{
+  const std::vector<Point> points = sparse_helix(10., 154);
+  const Far_outliers tube(points, [&](std::size_t i) { return points[i].x() > 0.7; });
+  ASSERT_GT(tube.far_ones.size(), 400u);
+  const std::vector<std::uint8_t> after = tube.after_connecting<Tag>(false, tube.far_ones);
+  EXPECT_EQ(std::count(after.begin(), after.end(), 1), 0);
+  EXPECT_EQ(after, tube.after_connecting<CGAL::Sequential_tag>(false, tube.far_ones));
+  // others are outliers for another reason
+  const std::vector<std::uint8_t> asked_one = tube.after_connecting<Tag>(false, {tube.far_ones[0]});
+  EXPECT_GE(std::count(asked_one.begin(), asked_one.end(), 1),
+            static_cast<std::ptrdiff_t>(tube.far_ones.size()) - 1);
+}
+
+TEST(Outliers,
+     that_are_connected_have_half_of_their_neighbors_on_the_surface_and_do_not_look_like_space)
+{
+  std::vector<Point> points = sparse_helix(10., 155);
+  const std::size_t surface = points.size();
+  add_outliers(points, 2000, 2., 156);
+  const Far_outliers outliers(points, [&](std::size_t i)
+                              { return i >= surface || (points[i].x() > 0.7 && i % 2 == 0); });
+  std::vector<std::uint8_t> expected = outliers.is_outlier;
+  bool are_some_space = false;
+  for (bool is_any_new = true; is_any_new;)
+  {
+    is_any_new = false;
+    for (std::size_t i : outliers.far_ones)
+      if (expected[i] != 0 &&
+          number_of_mutual_neighbors(outliers, i,
+                                     [&](std::size_t j) { return expected[j] == 0; }) >= 8)
+      {
+        const bool is_space = curvature_of_twice_the_radius(outliers.cloud, outliers.search, 16,
+                                                            i) > largest_curvature_of_parts;
+        are_some_space |= is_space;
+        is_any_new |= !is_space;
+        expected[i] = is_space ? 1 : 0;
+      }
+  }
+  EXPECT_EQ(outliers.after_connecting<Tag>(true, outliers.far_ones), expected);
+  EXPECT_TRUE(are_some_space);
+  const std::ptrdiff_t left = std::count(expected.begin(), expected.end(), 1);
+  EXPECT_GT(left, 500);
+  EXPECT_LT(left + 100, static_cast<std::ptrdiff_t>(outliers.far_ones.size()));
+}
+
+TEST(Outliers, that_are_far_need_votes_of_flat_points)
+{
+  const std::vector<Point> points = plate_with_sparse_rod(0.02, 144);
+  const Far_outliers rod(points, [&](std::size_t i) { return points[i].x() > 1.; });
+  ASSERT_GT(rod.far_ones.size(), 40u);
+  EXPECT_EQ(rod.needed_share(3), 1. / 16.);
+  EXPECT_EQ(rod.needed_share(4 + rod.far_ones.size() / 100), 1. / 4.);
+
+  const std::vector<std::uint8_t> after = rod.after_votes<Tag>(1. / 16., rod.far_ones);
+  EXPECT_LE(std::count(after.begin(), after.end(), 1), 2);
+  EXPECT_EQ(after, rod.after_votes<CGAL::Sequential_tag>(1. / 16., rod.far_ones));
+
+  // others are outliers for another reason
+  std::vector<std::size_t> asked;
+  for (std::size_t i = 0; i < rod.far_ones.size(); i += 2)
+    asked.push_back(rod.far_ones[i]);
+  const std::vector<std::uint8_t> after_half = rod.after_votes<Tag>(1. / 16., asked);
+  for (std::size_t i = 1; i < rod.far_ones.size(); i += 2)
+    EXPECT_EQ(after_half[rod.far_ones[i]], 1);
+  EXPECT_LT(std::count(after_half.begin(), after_half.end(), 1),
+            static_cast<std::ptrdiff_t>(rod.far_ones.size()));
+}
+
+TEST(Outliers, are_found)
+{
+  for (double noise : {0., 0.005})
+  {
+    std::vector<Point> points = with_noise(surfaces::sphere(20000, 12), noise, 13);
+    add_outliers(points, 1500, 1.2, 14);
+    const Cloud cloud = make_cloud<Tag>(points, 1e-16);
+    const std::vector<std::uint8_t> is_outlier = outliers_of(cloud);
+    int found = 0, false_alarms = 0, there = 0;
+    for (std::size_t i = 0; i < cloud.size(); ++i)
+    {
+      const std::size_t input = cloud.input_index[i];
+      // nearer than the spacing, they are as good as any point
+      const bool is_true = input >= 20000 && distance_to_sphere(points[input]) > 0.05;
+      there += is_true ? 1 : 0;
+      found += is_true && is_outlier[i] ? 1 : 0;
+      false_alarms += input < 20000 && is_outlier[i] ? 1 : 0;
+    }
+    EXPECT_GT(found, 0.99 * there) << noise;
+    EXPECT_LT(false_alarms, 0.01 * 20000) << noise;
+  }
+}
+
+// The neighborhoods of the box of outliers are 2.4 times as wide as those of the square below.
+TEST(Outliers, in_a_volume_hardly_sparser_than_the_surface_are_found)
+{
+  std::vector<Point> points = with_noise(surfaces::square(20000, 46), 0.002, 47);
+  const auto point_of_box = [](CGAL::Random& random)
+  {
+    const double x = random.uniform_real(0.25, 0.75), y = random.uniform_real(0.25, 0.75);
+    return Point(x, y, random.uniform_real(0.2, 0.7));
+  };
+  for (const Point& p : surfaces::sample(7500, 48, point_of_box))
+    points.push_back(p);
+  const Cloud cloud = make_cloud<Tag>(points, 1e-16);
+  const std::vector<std::uint8_t> is_outlier = outliers_of(cloud);
+  int found = 0, lost = 0;
+  for (std::size_t i = 0; i < cloud.size(); ++i)
+    (cloud.input_index[i] < 20000 ? lost : found) += is_outlier[i];
+  EXPECT_GT(found, 0.985 * 7500);
+  // 47 where the border of the square is asked for half of the votes, and 40 more are found
+  EXPECT_LE(lost, 10);
+}
+
+TEST(Outliers, are_no_neighbors_once_they_are_removed)
+{
+  for (std::size_t number : {5u, 2000u}) // hidden in the search, and a new one
+  {
+    std::vector<Point> points = surfaces::sphere(20000, 12);
+    add_outliers(points, number, 3., 14);
+    Cloud cloud = make_cloud<Tag>(points, 1e-16);
+    const std::vector<Point> all = cloud.points;
+    std::unique_ptr<Neighbor_search> search(new Neighbor_search(all, Tag()));
+    Shared_features shared = shared_features_of(cloud, *search);
+    remove_outliers<Tag>(cloud, search, shared, 16, 100, Adaptive_settings());
+    EXPECT_LT(cloud.size(), all.size());
+    EXPECT_GT(cloud.size(), 19900u);
+    EXPECT_EQ(shared.features.curvature.size(), cloud.size());
+    EXPECT_EQ(shared.features.inverse_density.size(), cloud.size());
+    const std::set<Point> kept(cloud.points.begin(), cloud.points.end());
+    for (const Point& query : all)
+      search->for_each_nearest(query, 1,
+                               [&](std::size_t, const Point& p, double squared_distance)
+                               {
+        EXPECT_EQ(kept.count(p), 1u);
+        EXPECT_EQ(squared_distance == 0., kept.count(query) == 1u);
+      });
+  }
+}
+
+// Asking for half of the votes again and again eats an open surface from its border.
+TEST(Outliers, among_others_leave_the_border_of_an_open_surface)
+{
+  std::vector<Point> points = with_noise(surfaces::square(20000, 43), 0.003, 44);
+  add_outliers(points, 2000, 1.2, 45);
+  const Cloud cloud = make_cloud<Tag>(points, 1e-16);
+  const std::vector<std::uint8_t> is_outlier = outliers_of(cloud);
+  int near_border = 0, lost = 0;
+  for (std::size_t i = 0; i < cloud.size(); ++i)
+  {
+    const Point& p = points[cloud.input_index[i]];
+    const double from_border =
+        (std::min)((std::min)(p.x(), 1. - p.x()), (std::min)(p.y(), 1. - p.y()));
+    if (cloud.input_index[i] < 20000 && from_border < 0.01) // 1.4 spacings
+    {
+      ++near_border;
+      lost += is_outlier[i] ? 1 : 0;
+    }
+  }
+  // 0.17 when asked again and again, 0.08 once, 0.025 those off the surface
+  EXPECT_LT(lost, 0.04 * near_border);
+}
+
+TEST(Outliers, far_from_a_surface_leave_its_border)
+{
+  std::vector<Point> points;
+  add_outliers(points, 400, 1., 46);
+  for (Point& p : points)
+    p = p + Vector(6., 0., 0.);
+  const std::size_t outliers = points.size();
+  for (const Point& p : surfaces::square(20000, 47))
+    points.push_back(p);
+  const Cloud cloud = make_cloud<Tag>(points, 1e-16);
+  const std::vector<std::uint8_t> is_outlier = outliers_of(cloud);
+  std::size_t found = 0, lost = 0;
+  for (std::size_t i = 0; i < cloud.size(); ++i)
+    if (is_outlier[i])
+      ++(cloud.input_index[i] < outliers ? found : lost);
+  EXPECT_EQ(found, outliers);
+  EXPECT_LE(lost, 10u); // 49 where the border is asked for half of the votes
+}
+
+TEST(Outliers, are_not_found_in_borders_thin_parts_and_sparse_regions)
+{
+  const auto number_of_outliers = [](const std::vector<Point>& points)
+  {
+    const std::vector<std::uint8_t> is_outlier = outliers_of(make_cloud<Tag>(points, 1e-16));
+    return std::count(is_outlier.begin(), is_outlier.end(), 1);
+  };
+  EXPECT_LT(number_of_outliers(surfaces::square(20000, 15)), 20);
+  // a wire: a cylinder of radius 0.01
+  std::vector<Point> wire;
+  for (const Point& p : surfaces::square(20000, 16))
+    wire.emplace_back(0.01 * std::cos(2. * CGAL_PI * p.y()), 0.01 * std::sin(2. * CGAL_PI * p.y()),
+                      p.x());
+  EXPECT_LT(number_of_outliers(wire), 20);
+  // density falling 100 : 1 along x
+  std::vector<Point> uneven;
+  CGAL::Random random(17);
+  for (const Point& p : surfaces::torus(100000, 3., 1., 17))
+    if (random.uniform_real(0., 1.) < std::pow(100., -(p.x() + 4.) / 8.))
+      uneven.push_back(p);
+  EXPECT_LT(number_of_outliers(uneven), 0.005 * static_cast<double>(uneven.size()));
+}
+
+TEST(Outliers, are_not_found_by_chance_in_few_points)
+{
+  for (std::size_t n : {100u, 500u, 999u})
+  {
+    std::ptrdiff_t found = 0;
+    for (unsigned int seed = 0; seed < 100; ++seed)
+    {
+      const std::vector<std::uint8_t> is_outlier =
+          outliers_of(make_cloud<Tag>(surfaces::square(n, seed), 1e-16));
+      found += std::count(is_outlier.begin(), is_outlier.end(), 1);
+    }
+    EXPECT_LT(found, 30) << n;
+  }
+}
+
+// n points around `center`, normally distributed
+std::vector<Point> cluster(std::size_t n, const Point& center, double sigma, unsigned int seed)
+{
+  return with_noise(std::vector<Point>(n, center), sigma, seed);
+}
+
+void append(std::vector<Point>& points, const std::vector<Point>& more)
+{
+  points.insert(points.end(), more.begin(), more.end());
+}
+
+TEST(Outliers, in_isolated_clusters_are_found)
+{
+  for (double noise : {0., 0.02}) // the 16 nearest are within 0.06
+  {
+    std::vector<Point> points = with_noise(surfaces::sphere(20000, 12), noise, 13);
+    append(points, cluster(8, Point(0., 0., 0.), 0.02, 31)); // fewer than the neighbors of a point
+    append(points, cluster(17, Point(1.5, 0., 0.), 0.02, 32));
+    append(points, cluster(40, Point(0., 1.5, 0.), 0.02, 33));
+    append(points, cluster(40, Point(0., 1.9, 0.3), 0.002, 34)); // ten times as dense
+    append(points, cluster(100, Point(0., 0., 1.5), 0.05, 35));
+    const Cloud cloud = make_cloud<Tag>(points, 1e-16);
+    const std::vector<std::uint8_t> is_outlier = outliers_of(cloud);
+    for (std::size_t i = 0; i < cloud.size(); ++i)
+    {
+      const bool is_in_cluster = cloud.input_index[i] >= 20000;
+      EXPECT_TRUE(!is_in_cluster || is_outlier[i] != 0) << noise << " " << cloud.input_index[i];
+    }
+    EXPECT_LT(std::count(is_outlier.begin(), is_outlier.end(), 1), 205 + 20 + 600 * (noise > 0.));
+  }
+}
+
+TEST(Outliers, are_not_found_in_small_parts)
+{
+  const auto outliers_with = [](const std::vector<Point>& part)
+  {
+    std::vector<Point> points = surfaces::sphere(20000, 12);
+    append(points, part);
+    const Cloud cloud = make_cloud<Tag>(points, 1e-16);
+    const std::vector<std::uint8_t> is_outlier = outliers_of(cloud);
+    std::size_t found = 0;
+    for (std::size_t i = 0; i < cloud.size(); ++i)
+      found += cloud.input_index[i] >= 20000 && is_outlier[i] != 0 ? 1U : 0U;
+    return found;
+  };
+  const auto moved = [](std::vector<Point> points, double scale)
+  {
+    for (Point& p : points)
+      p = Point(2., 0., 0.) + scale * (p - CGAL::ORIGIN);
+    return points;
+  };
+  EXPECT_LT(outliers_with(moved(with_noise(surfaces::square(60, 31), 0.02, 32), 0.2)), 6u);
+  for (std::size_t n : {60u, 80u}) // thick as a whole, but not around each point
+    EXPECT_EQ(outliers_with(moved(surfaces::sphere(n, 33), 0.1)), 0u);
+  std::vector<Point> line; // of a scan: noise is as large as five points are apart
+  for (int i = 0; i < 100; ++i)
+    line.emplace_back(0.001 * i, 0., 0.);
+  EXPECT_LT(outliers_with(moved(with_noise(line, 0.005, 34), 1.)), 5u);
+  // Each place measured 20 times: those that have another near are no clusters.
+  std::vector<Point> repeated;
+  unsigned int seed = 100;
+  for (const Point& p : surfaces::square(100, 35))
+    append(repeated, cluster(20, p, 0.01, seed++));
+  EXPECT_LT(outliers_with(moved(repeated, 0.5)), 1000u);
+  // as large as a part that shows a shape
+  EXPECT_LT(outliers_with(cluster(200, Point(2., 0., 0.), 0.02, 37)), 20u);
+}
+
+} // namespace

@@ -1,0 +1,294 @@
+// Points smoothed before the samples move, and how few of them are
+
+#include "inputs.h"
+
+#include <CGAL/Curvature_aware_simplification_3/internal/Cloud.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/Neighbor_search.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/features.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/smooth_points.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/thin_points.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <numeric>
+#include <utility>
+#include <vector>
+
+namespace {
+
+using namespace inputs;
+
+struct Smoothed
+{
+  std::vector<Point> points;
+  std::vector<double> inverse_density;
+  std::vector<std::uint8_t> is_bent;
+  double noise;
+};
+
+// samples so far from each other that the noise alone decides how far smoothing reaches
+constexpr double far_samples = std::numeric_limits<double>::infinity();
+
+Smoothed smoothed(const std::vector<Point>& points, double noise, std::size_t number_of_samples,
+                  const Adaptive_settings& settings = Adaptive_settings())
+{
+  const Neighbor_search search(points, Tag());
+  Smoothed result{points, std::vector<double>(points.size()),
+                  std::vector<std::uint8_t>(points.size()), 0.};
+  for (std::size_t i = 0; i < points.size(); ++i)
+  {
+    result.inverse_density[i] =
+        local_features<CGAL::Default_diagonalize_traits<double, 3>>(search, points[i], 17, 0.)
+            .inverse_density;
+    result.is_bent[i] = points[i].x() > 0.5 ? 1 : 0;
+  }
+  Noise_levels levels = uniform_noise(noise, points.size());
+  levels.make_visible_above(0.);
+  result.noise =
+      smooth_points<Tag>(result.points, result.inverse_density, result.is_bent, search, levels,
+                         number_of_samples, far_samples, settings, Progress(no_callback))
+          .at(0)
+          .level;
+  return result;
+}
+
+TEST(Smoothing, leaves_as_much_noise_as_it_says)
+{
+  // a neighborhood of 25 points has a radius of 0.07
+  for (double sigma : {0.002, 0.01, 0.02, 0.04})
+  {
+    const Smoothed result =
+        smoothed(with_noise(surfaces::sphere(20000, 70), sigma, 71), sigma, 10000);
+    ASSERT_EQ(result.points.size(), 20000u);
+    double sum = 0.;
+    for (const Point& p : result.points)
+      sum += std::pow(distance_to_sphere(p), 2);
+    EXPECT_NEAR(std::sqrt(sum / 20000.) / result.noise, 1., 0.2) << sigma;
+    EXPECT_LT(result.noise, 0.7 * sigma);
+  }
+}
+
+TEST(Smoothing, is_where_noise_is_visible)
+{
+  // in the second of three ranges
+  const std::vector<Point> points = with_noise(surfaces::square(30000, 74), 0.002, 75);
+  const Neighbor_search search(points, Tag());
+  std::vector<Point> result = points;
+  std::vector<double> inverse_density(points.size(), 1. / (CGAL_PI * 30000.));
+  std::vector<std::uint8_t> is_bent(points.size(), 0);
+  Noise_levels noise{{{0.001, 0.001}, {0.002, 0.002}, {0.0015, 0.0015}}, points.size()};
+  noise.make_visible_above(0.00075);
+  const Noise_levels left =
+      smooth_points<Tag>(result, inverse_density, is_bent, search, noise, 1000, far_samples,
+                         Adaptive_settings(), Progress(no_callback));
+  for (std::size_t i = 0; i < points.size(); ++i)
+    EXPECT_EQ(result[i] != points[i], i >= 10000 && i < 20000) << i;
+  EXPECT_EQ(left.at(0).level, 0.001);
+  EXPECT_EQ(left.at(29999).level, 0.0015);
+  EXPECT_LT(left.at(15000).level, 0.0015);
+  EXPECT_EQ(left.at(15000).independent_level, 0.002);
+}
+
+TEST(Smoothing, reaches_less_far_where_noise_is_strong_against_the_spacing_of_the_samples)
+{
+  const Noise noise{0.1, 0.1};
+  EXPECT_DOUBLE_EQ(smoothing_radius(noise, far_samples), 0.4);
+  EXPECT_DOUBLE_EQ(smoothing_radius(noise, 0.4), 0.4);
+  EXPECT_DOUBLE_EQ(smoothing_radius(noise, 0.1), 0.16); // as wide as the spacing
+  EXPECT_DOUBLE_EQ(smoothing_radius(noise, 0.0125), 0.04);
+  EXPECT_DOUBLE_EQ(smoothing_radius(Noise{0., 0.}, 0.2), 0.);
+}
+
+// 192 points are in a ball of 4 sigma, where 25 are enough.
+TEST(Thinning, keeps_a_neighborhood_in_each_ball_where_points_are_smoothed)
+{
+  const std::vector<double> inverse_density(30000, 0.04 * 0.04 / 48.);
+  Noise_levels noise({{0.01, 0.01}, {0.02, 0.02}, {0.02, 0.02}}, 30000);
+  noise.make_visible_above(0.0075); // half of 0.02, not half of 0.01
+  const Thinned_points thinned = thin_points<Tag>(inverse_density, noise, 1000, far_samples);
+  const auto kept_before = [&](std::size_t i)
+  { return std::lower_bound(thinned.kept.begin(), thinned.kept.end(), i) - thinned.kept.begin(); };
+  EXPECT_EQ(kept_before(10000), 10000);
+  EXPECT_NEAR(static_cast<double>(kept_before(20000)), 10000. + 10000. * 25. / 192., 1.);
+  EXPECT_NEAR(static_cast<double>(kept_before(30000)), 10000. + 20000. * 25. / 192., 1.);
+  EXPECT_EQ(thinned.number[5000], 1.);
+  EXPECT_NEAR(thinned.number.back(), 192. / 25., 1e-12);
+
+  const Noise_levels left = noise.of_some(thinned.kept);
+  for (std::size_t i = 0; i < thinned.kept.size(); i += 7)
+    EXPECT_EQ(&left.at(i) - left.of_range.data(),
+              &noise.at(thinned.kept[i]) - noise.of_range.data());
+}
+
+TEST(Thinning, keeps_two_points_for_each_sample)
+{
+  const std::vector<double> inverse_density(30000, 1e-9);
+  Noise_levels noise({{0., 0.}, {1., 1.}, {1., 1.}}, 30000);
+  noise.make_visible_above(0.1);
+  for (std::size_t samples : {5000u, 8000u, 15000u, 20000u})
+  {
+    const Thinned_points thinned = thin_points<Tag>(inverse_density, noise, samples, far_samples);
+    EXPECT_NEAR(static_cast<double>(thinned.kept.size()),
+                (std::min)((std::max)(2. * static_cast<double>(samples), 10000.), 30000.), 1.);
+    EXPECT_TRUE(std::is_sorted(thinned.kept.begin(), thinned.kept.end()));
+    const double all = std::accumulate(thinned.number.begin(), thinned.number.end(), 0.);
+    EXPECT_NEAR(all, samples == 5000 ? 10000. : 30000., 10.) << samples; // no noisy one of 10,000
+  }
+}
+
+TEST(Thinning, leaves_a_sparse_place_beside_a_dense_one)
+{
+  std::vector<double> inverse_density(4095, 1e-6); // 16 ranges
+  for (std::size_t i = 2000; i < 2030; ++i)
+    inverse_density[i] = 1e-2;
+  Noise_levels noise = uniform_noise(0.02, inverse_density.size());
+  noise.make_visible_above(0.);
+  const Thinned_points thinned = thin_points<Tag>(inverse_density, noise, 1, far_samples);
+  const auto begin = std::lower_bound(thinned.kept.begin(), thinned.kept.end(), 2000u);
+  EXPECT_EQ(std::lower_bound(begin, thinned.kept.end(), 2030u) - begin, 30);
+  EXPECT_NEAR(static_cast<double>(thinned.kept.size()), 256. + 3839. * 25. / 6400., 2.);
+}
+
+// A part that is 2000 times as dense as the rest was smoothed point by point, with 288 neighbors of each.
+TEST(Thinning, smooths_few_points_of_a_dense_part)
+{
+  std::vector<Point> points = surfaces::square(3000, 76);
+  for (const Point& p : surfaces::square(60000, 77))
+    points.emplace_back(0.4 + 0.1 * p.x(), 0.4 + 0.1 * p.y(), 0.);
+  points = with_noise(std::move(points), 0.005, 78);
+  const Cloud cloud = make_cloud<Tag>(points, 0.);
+  const Smoothed result = smoothed(cloud.points, cloud.frame.length_to_frame(0.005), 500);
+  std::size_t inside = 0;
+  for (const Point& q : result.points)
+  {
+    const Point p = cloud.frame.from_frame(q);
+    if (p.x() > 0.4 && p.x() < 0.5 && p.y() > 0.4 && p.y() < 0.5)
+      ++inside;
+  }
+  EXPECT_LT(inside, 15000u);
+  EXPECT_GT(result.points.size() - inside, 2900u);
+}
+
+// Balls of 4 sigma hold 2000 points, more than any fit takes. Of the 24 nearest, 0.38 sigma would be left.
+TEST(Smoothing, leaves_little_noise_where_points_are_dense_against_it)
+{
+  const double sigma = 0.02;
+  const Smoothed result = smoothed(with_noise(surfaces::square(100000, 72), sigma, 73), sigma, 200);
+  double sum = 0.;
+  for (const Point& p : result.points)
+    sum += p.z() * p.z();
+  EXPECT_LT(std::sqrt(sum / static_cast<double>(result.points.size())), 0.33 * sigma);
+}
+
+TEST(Smoothing, takes_part_of_the_points_that_are_dense_against_the_noise)
+{
+  // 2010 points in a ball of 4 sigma, 80 times as many as a full neighborhood
+  const std::vector<Point> points = with_noise(surfaces::square(100000, 72), 0.02, 73);
+  const auto area = [](const std::vector<double>& inverse_density)
+  { return area_of_surface<Tag>(inverse_density); };
+  const Smoothed few = smoothed(points, 0.02, 100);
+  EXPECT_GT(few.points.size(), 1250u); // the layer is thick, which takes density away
+  EXPECT_LT(few.points.size(), 10000u);
+  // at least two for each sample
+  const Smoothed many = smoothed(points, 0.02, 20000);
+  EXPECT_NEAR(static_cast<double>(many.points.size()), 40000., 1.);
+  EXPECT_NEAR(area(few.inverse_density) / area(many.inverse_density), 1., 0.05);
+  EXPECT_EQ(smoothed(points, 0.02, 90000).points.size(), 100000u);
+  // what is known of a point stays with it; it moves by 4 sigma at most
+  ASSERT_EQ(few.is_bent.size(), few.points.size());
+  for (std::size_t i = 0; i < few.points.size(); ++i)
+    if (std::abs(few.points[i].x() - 0.5) > 0.08)
+    {
+      EXPECT_EQ(few.is_bent[i], few.points[i].x() > 0.5 ? 1 : 0);
+    }
+}
+
+TEST(Smoothing, leaves_alone_what_noise_does_not_explain)
+{
+  // 10 sigma off, but less than the radius of its neighborhood: the fit knows the surface below
+  std::vector<Point> points = with_noise(surfaces::square(20000, 74), 0.0005, 75);
+  points[7] = Point(0.5, 0.5, 0.005);
+  EXPECT_EQ(smoothed(points, 0.0005, 2000).points[7], points[7]);
+  // 20 sigma off, and farther than its neighbors from each other: the fit knows little
+  points = with_noise(surfaces::square(20000, 74), 0.005, 75);
+  points[7] = Point(0.5, 0.5, 0.1);
+  const Point moved = smoothed(points, 0.005, 2000).points[7];
+  EXPECT_LT(CGAL::squared_distance(moved, points[7]), 0.005 * 0.005);
+}
+
+TEST(Smoothing, takes_what_residuals_show_beyond_the_noise_for_shape)
+{
+  // Heights of +-0.03 in turn, of which a quadric explains nothing: the variance of n residuals is theirs,
+  // times n / (n - 6), and the center, a point at 5, has no say.
+  Neighborhood neighborhood;
+  neighborhood.neighbors.push_back({Vector(0., 0., 5.), 0., 1.});
+  for (int i = 0; i < 12; ++i)
+    neighborhood.neighbors.push_back({Vector(1., i, i % 2 == 0 ? 0.03 : -0.03), 1. + i * i, 0.5});
+  EXPECT_NEAR(variance_of_residuals(neighborhood, Local_surface()), 2. * 0.0009, 1e-12);
+  neighborhood.neighbors.resize(7); // six residuals, as many as there are coefficients, tell little
+  EXPECT_NEAR(variance_of_residuals(neighborhood, Local_surface()), 6. * 0.0009, 1e-12);
+  neighborhood.neighbors.resize(1);
+  EXPECT_EQ(variance_of_residuals(neighborhood, Local_surface()), 0.);
+
+  const std::vector<Point> points = surfaces::square(10, 76);
+  const Neighbor_search search(points, Tag());
+  const Surface_fit fit{search, 10, Noise{3., 3.}};
+  EXPECT_EQ(share_explained_by_noise(fit, 0.), 1.);
+  EXPECT_EQ(share_explained_by_noise(fit, 22.5), 1.);
+  EXPECT_EQ(share_explained_by_noise(fit, 90.), 0.25);
+}
+
+double distance_to_cube(const Point& p)
+{
+  const auto outside = [](double x) { return (std::max)({-x, x - 1., 0.}); };
+  const auto inside = [](double x) { return (std::min)(x, 1. - x); };
+  const double x = outside(p.x()), y = outside(p.y()), z = outside(p.z());
+  const double distance = std::sqrt(x * x + y * y + z * z);
+  return distance > 0. ? distance : (std::min)({inside(p.x()), inside(p.y()), inside(p.z())});
+}
+
+TEST(Smoothing, does_not_round_sharp_edges_more_than_noise_does)
+{
+  // 0.008 between points, and noise of a sixteenth of that
+  const double sigma = 0.0005;
+  const std::vector<Point> exact = cube(100000, 88);
+  const std::vector<Point> points = with_noise(exact, sigma, 89);
+  const auto error_in_sigma = [&](bool near_edges, double residuals_explained_by_noise)
+  {
+    Adaptive_settings settings;
+    settings.residuals_explained_by_noise = residuals_explained_by_noise;
+    const Smoothed result = smoothed(points, sigma, 10000, settings);
+    EXPECT_EQ(result.points.size(), points.size());
+    double sum = 0., number = 0.;
+    for (std::size_t i = 0; i < result.points.size(); ++i)
+      if (near_edges ? distance_to_edge(exact[i]) < 0.004 : distance_to_edge(exact[i]) > 0.05)
+      {
+        sum += std::pow(distance_to_cube(result.points[i]), 2);
+        number += 1.;
+      }
+    return std::sqrt(sum / number) / sigma;
+  };
+  const double standard = Adaptive_settings().residuals_explained_by_noise;
+  EXPECT_LT(error_in_sigma(true, standard), 1.05);
+  EXPECT_GT(error_in_sigma(true, 1e300), 1.3);
+  EXPECT_LT(error_in_sigma(false, standard), 0.55);
+}
+
+TEST(Smoothing, makes_narrow_fits_no_better_than_the_points_are)
+{
+  const std::vector<Point> points = surfaces::square(10, 76);
+  const Neighbor_search search(points, Tag());
+  // independent noise is as the fit says
+  EXPECT_EQ(error_of_fit(Surface_fit{search, 10, Noise{3., 3.}}, 1.5), 1.5);
+  const Surface_fit fit{search, 10, Noise{1., 3.}};
+  EXPECT_NEAR(error_of_fit(fit, 1e9), 1., 1e-9);
+  EXPECT_NEAR(error_of_fit(fit, 1.), std::pow(2., -0.25), 1e-12);
+  EXPECT_NEAR(error_of_fit(fit, 1e-3), 1e-3, 1e-8);
+}
+
+} // namespace
