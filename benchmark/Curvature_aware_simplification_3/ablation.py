@@ -31,6 +31,7 @@ IDEAS = [
     ("noise measured in single columns of points", "find_columns=0"),
     ("the same noise everywhere", "noise_by_place=0"),
     ("two noisy sheets not told from one", "tell_two_sheets=0"),
+    ("noise not limited where layers are thick by shape", "limit_noise_by_shape=0"),
     ("noise measured around quadrics only", "noise_around_planes=0"),
     ("points not smoothed first", "smooth_points=0"),
     ("points smoothed all the same where fits miss the shape",

@@ -219,6 +219,7 @@ Setting with_parameters(const std::string& parameters)
   set("find_columns", settings.find_columns);
   set("noise_by_place", settings.noise_by_place);
   set("tell_two_sheets", settings.tell_two_sheets);
+  set("limit_noise_by_shape", settings.limit_noise_by_shape);
   set("noise_around_planes", settings.noise_around_planes);
   set("curvature_radius", settings.curvature_radius);
   set("least_curvature", settings.least_curvature);

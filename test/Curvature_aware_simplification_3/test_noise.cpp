@@ -102,6 +102,46 @@ TEST(Noise_level, of_a_thin_part_is_not_its_thickness)
   }
 }
 
+TEST(Noise_level, of_thin_parts_is_not_their_shape)
+{
+  // 64 rods with a radius of three times the noise: no layer is wide against its thickness, which grows with it
+  const double sigma = 0.01;
+  std::vector<Point> points;
+  for (const Point& p : surfaces::square(30000, 8))
+  {
+    const auto rod = static_cast<int>(points.size() % 64);
+    const double angle = 2. * CGAL_PI * p.y();
+    points.emplace_back(0.3 * (rod % 8) + 3. * sigma * std::cos(angle),
+                        0.3 * (rod / 8) + 3. * sigma * std::sin(angle), 0.4 * p.x());
+  }
+  EXPECT_NEAR(noise_of(with_noise(std::move(points), sigma, 10)) / sigma, 1., 0.2);
+}
+
+TEST(Noise_level, is_found_where_larger_layers_hold_another_sheet)
+{
+  // the 17 nearest points are on one of two sheets, of the 34 nearest some are on the other
+  std::vector<Point> sheets;
+  for (const Point& p : surfaces::square(20000, 8))
+    sheets.emplace_back(100. * p.x(), 100. * p.y(), sheets.size() % 2 == 0 ? 0. : 2.75);
+  EXPECT_NEAR(noise_of(with_noise(sheets, 0.2, 10)) / 0.2, 1., 0.2);
+  EXPECT_LT(noise_of(sheets), 1e-6);
+}
+
+TEST(Layers, that_are_thick_by_shape)
+{
+  // thickness, width, length, kurtosis
+  EXPECT_TRUE(are_thick_by_shape({1., 3., 3., 0.}, {1.5, 4.2, 4.2, 0.}));
+  EXPECT_FALSE(are_thick_by_shape({1., 3., 3., 0.}, {1., 4.2, 4.2, 0.}));    // noise
+  EXPECT_FALSE(are_thick_by_shape({1., 2.3, 2.3, 0.}, {1.3, 2.9, 2.9, 0.})); // a volume
+}
+
+TEST(Layers, that_hold_another_sheet)
+{
+  EXPECT_TRUE(holds_another_sheet({1., 7., 7., 0.}, {3., 10., 10., 0.}));
+  EXPECT_FALSE(holds_another_sheet({1., 7., 7., 0.}, {1.9, 10., 10., 0.}));  // shape
+  EXPECT_FALSE(holds_another_sheet({0.1, 7., 7., 0.}, {0.3, 10., 10., 0.})); // of a clean sheet
+}
+
 TEST(Noise_level, of_a_thick_part_of_few_points_is_that_of_others)
 {
   // 700 points on a sphere, and 300 on a wire as thick as its noise, which end before it looks flat

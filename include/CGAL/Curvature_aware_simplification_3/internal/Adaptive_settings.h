@@ -31,6 +31,8 @@ struct Adaptive_settings
   bool noise_by_place = true;
   // Where layers are as thick as wide, two sheets are told from one.
   bool tell_two_sheets = true;
+  // Noise is no more than is told by layers that are thick by their shape, as those of thin parts are.
+  bool limit_noise_by_shape = true;
   // Noise is what fits of quadrics and of planes both show; without, quadrics alone.
   bool noise_around_planes = true;
 

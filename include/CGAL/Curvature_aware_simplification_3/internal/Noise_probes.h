@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <numeric>
 #include <type_traits>
 #include <vector>
 
@@ -28,6 +29,13 @@ struct Noise_probes
   std::vector<Point> points;
   std::vector<std::vector<std::size_t>> of_range;
 };
+
+inline std::vector<std::size_t> all_ranges(const Noise_probes& probes)
+{
+  std::vector<std::size_t> ranges(probes.of_range.size());
+  std::iota(ranges.begin(), ranges.end(), std::size_t(0));
+  return ranges;
+}
 
 template <typename ConcurrencyTag>
 Noise_probes noise_probes(const std::vector<Point>& points)

@@ -6,19 +6,16 @@
 #ifndef CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_FIND_COLUMNS_H
 #define CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_FIND_COLUMNS_H
 
-#include <CGAL/Curvature_aware_simplification_3/internal/Adaptive_settings.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Layer.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Nearest_line.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Neighbor_search.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Neighborhood.h>
-#include <CGAL/Curvature_aware_simplification_3/internal/Noise_levels.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Noise_probes.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/fit_quadric.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <cstdint>
 #include <iterator>
 #include <vector>
 
@@ -61,19 +58,13 @@ std::vector<Column> median_columns(const Noise_probes& probes,
 
 // Finds columns of points, one above the other, as where a scanner at rest measured the same directions again and again,
 // where layers of k points hold hardly more than one: they show a plane along it, and no noise. The nearest points are
-// then on a line that rises from the surface, as 4 k points show it. The radius of these is left in `noise`; returned is
-// where it is so.
+// then on a line that rises from the surface, as 4 k points show it. Returned is the radius of these, by range; 0 where
+// there are no columns.
 template <typename ConcurrencyTag>
-std::vector<std::uint8_t>
-find_columns(const Noise_probes& probes, const std::vector<std::size_t>& ranges,
-             const Neighbor_search& search, std::size_t k, const std::vector<Layer>& narrow,
-             const std::vector<Layer>& wide, const Adaptive_settings& settings,
-             std::vector<Noise>& noise)
+std::vector<double> find_columns(const Noise_probes& probes, const std::vector<std::size_t>& ranges,
+                                 const Neighbor_search& search, std::size_t k,
+                                 const std::vector<Layer>& narrow, const std::vector<Layer>& wide)
 {
-  std::vector<std::uint8_t> are_columns(noise.size(), 0);
-  if (!settings.find_columns)
-    return are_columns;
-
   constexpr double steep = 0.3; // lines of a scan are in the surface
   // Of the thickness, from k to 2 k points: 1.4 to 2.6 on clean shapes. Where it is no more, k points are not too few,
   // and there is nothing to ask.
@@ -87,14 +78,11 @@ find_columns(const Noise_probes& probes, const std::vector<std::size_t>& ranges,
   });
   const std::vector<Column> columns =
       median_columns<ConcurrencyTag>(probes, suspects, search, 4 * k);
+  std::vector<double> radii(probes.of_range.size(), 0.);
   for (std::size_t range : suspects)
     if (columns[range].rise > steep)
-    {
-      are_columns[range] = 1;
-      noise[range].radius_of_columns =
-          (std::max)(noise[range].radius_of_columns, columns[range].radius);
-    }
-  return are_columns;
+      radii[range] = columns[range].radius;
+  return radii;
 }
 
 } // namespace internal

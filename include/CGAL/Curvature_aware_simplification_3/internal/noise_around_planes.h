@@ -1,0 +1,57 @@
+// Copyright (c) 2026 The authors of Curvature_aware_simplification_3.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_NOISE_AROUND_PLANES_H
+#define CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_NOISE_AROUND_PLANES_H
+
+#include <CGAL/Curvature_aware_simplification_3/internal/Adaptive_settings.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/Layer.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/Neighbor_search.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/Noise_probes.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/Shown_noise.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/find_columns.h>
+
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Curvature_aware_simplification_3 {
+namespace internal {
+
+// The noise of each range that layers around planes show, which reach half as far as those around quadrics: they see
+// only one side of a part that is as thick as 1.6 spacings of the points, and less of details that these hardly show.
+template <typename ConcurrencyTag>
+std::vector<Shown_noise> noise_around_planes(const Noise_probes& probes,
+                                             const Neighbor_search& search,
+                                             const Adaptive_settings& settings)
+{
+  constexpr std::size_t k = 7; // a point and the ring around it
+  // A plane turns along the noise as well: with 5, it shows up to a tenth too little of it.
+  constexpr double wide_enough = 6.;
+
+  const std::vector<std::size_t> ranges = all_ranges(probes);
+  const auto layers = [&](std::size_t number)
+  { return median_layers<ConcurrencyTag>(probes, ranges, search, number, Layer_around_plane()); };
+  const std::vector<Layer> narrow = layers(k), wide = layers(2 * k);
+  std::vector<double> columns(ranges.size(), 0.);
+  if (settings.find_columns)
+    columns = find_columns<ConcurrencyTag>(probes, ranges, search, k, narrow, wide);
+  std::vector<Shown_noise> noise(ranges.size());
+  for (std::size_t range : ranges)
+  {
+    Shown_noise& here = noise[range];
+    here.radius_of_columns = columns[range];
+    const bool is_single = columns[range] == 0. && narrow[range].is_broad();
+    here.level = is_single ? noise_of_layers(narrow[range], wide[range]) : 0.;
+    here.is_reliable = is_single && narrow[range].width >= wide_enough * narrow[range].thickness;
+  }
+  return noise;
+}
+
+} // namespace internal
+} // namespace Curvature_aware_simplification_3
+} // namespace CGAL
+
+#endif // CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_NOISE_AROUND_PLANES_H
