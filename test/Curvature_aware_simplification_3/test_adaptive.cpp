@@ -66,6 +66,39 @@ TEST(Adaptive, lies_on_a_surface_that_was_scanned_in_lines)
     }
 }
 
+// Rings of a cylinder up to 67 times as far apart as the points on them: samples were off it by up to 0.6 of their
+// distances.
+TEST(Adaptive, lies_on_a_surface_that_was_scanned_in_lines_that_bend)
+{
+  for (int on_ring : {500, 1000, 2000})
+  {
+    std::vector<Point> points;
+    for (int ring = 0; ring < 20; ++ring)
+      for (int i = 0; i < on_ring; ++i)
+      {
+        const double angle = 2. * CGAL_PI / on_ring * i;
+        points.emplace_back(std::cos(angle), std::sin(angle), 0.21 * ring);
+      }
+    const std::vector<Point> output =
+        simplified(points, np::number_of_output_points(points.size() / 5));
+    for (const Point& p : output)
+      EXPECT_NEAR(std::hypot(p.x(), p.y()), 1., 1e-3) << on_ring;
+  }
+}
+
+// They were in its plane, and up to six spacings of the points off it.
+TEST(Adaptive, lies_on_a_curve)
+{
+  std::vector<Point> points;
+  for (int i = 0; i < 500; ++i)
+    points.emplace_back(std::cos(CGAL_PI / 250. * i), std::sin(CGAL_PI / 250. * i), 0.);
+  for (const Point& p : simplified(points, np::number_of_output_points(100)))
+  {
+    EXPECT_NEAR(p.z(), 0., 1e-12);
+    EXPECT_NEAR(std::hypot(p.x(), p.y()), 1., 1.01 * CGAL_PI / 250.); // of one spacing
+  }
+}
+
 // Depth cameras round depth to steps. These were taken for faces, and no noise was found: samples were off the surface
 // by as much as the points.
 TEST(Adaptive, lies_on_a_surface_whose_depth_was_rounded)

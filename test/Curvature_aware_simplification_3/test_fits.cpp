@@ -8,6 +8,7 @@
 #include <CGAL/Curvature_aware_simplification_3/internal/Surface_border.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Surface_sample.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/fit_local_surface.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/lines_of_scan.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/median.h>
 
 #include <gtest/gtest.h>
@@ -178,17 +179,23 @@ TEST(Fit, between_two_lines_of_a_scan_takes_more_of_them)
   EXPECT_GT(std::sqrt(squares_of_19), 1.3 * std::sqrt(squares));
 }
 
-// Rings of a cylinder, ten times as far apart as the points on them: the 19 nearest of a point are on its ring, and in
-// the plane of that.
-TEST(Fit, on_one_line_of_a_scan_takes_more_of_them)
+// of a cylinder around the z axis
+std::vector<Point> rings(int number, double distance, int points_on_ring)
 {
   std::vector<Point> points;
-  for (int ring = 0; ring < 12; ++ring)
-    for (int i = 0; i < 600; ++i)
+  for (int ring = 0; ring < number; ++ring)
+    for (int i = 0; i < points_on_ring; ++i)
     {
-      const double angle = CGAL_PI / 300. * i;
-      points.emplace_back(std::cos(angle), std::sin(angle), 0.1 * ring);
+      const double angle = 2. * CGAL_PI / points_on_ring * i;
+      points.emplace_back(std::cos(angle), std::sin(angle), distance * ring);
     }
+  return points;
+}
+
+// Ten times as far apart as the points on them: the 19 nearest of a point are on its ring, and in the plane of that.
+TEST(Fit, on_one_line_of_a_scan_takes_more_of_them)
+{
+  const std::vector<Point> points = rings(12, 0.1, 600);
   const Neighbor_search search(points, Tag());
   Neighborhood neighborhood;
   for (const Vector& guess : {Vector(0., 0., 0.), Vector(1., 0., 0.), Vector(0., 0., 1.)})
@@ -204,26 +211,83 @@ TEST(Fit, on_one_line_of_a_scan_takes_more_of_them)
     }
 }
 
-// A wire: no neighborhood is broad, and the narrowest is next to the point.
+// 67 times as far apart: a ring bends before the ball reaches the next, which then has little weight.
+TEST(Fit, on_one_line_of_a_scan_that_bends_takes_more_of_them)
+{
+  const std::vector<Point> points = rings(20, 0.21, 2000);
+  const Neighbor_search search(points, Tag());
+  Neighborhood neighborhood;
+  for (const Vector& guess : {Vector(0., 0., 0.), Vector(1., 0., 0.), Vector(0., 0., 1.)})
+  {
+    const Local_surface surface =
+        fit_local_surface(Surface_fit{search, points.size()}, Point(1., 0., 2.1), guess,
+                          Local_surface(), rounds_to_move, neighborhood);
+    EXPECT_FALSE(surface.is_curve);
+    EXPECT_GT(std::abs(surface.n.x()), 0.9999) << guess;
+    EXPECT_NEAR(surface.origin.x(), 1., 1e-4) << guess;
+  }
+}
+
+// n points around the origin, and the surface that is the plane z = 0
+Local_surface collect_in_plane(const std::vector<Point>& points, Neighborhood& neighborhood)
+{
+  neighborhood.collect(Neighbor_search(points, Tag()), Point(0., 0., 0.), points.size());
+  neighborhood.weight_by_distance();
+  Local_surface surface;
+  surface.complete_frame();
+  EXPECT_TRUE(fit_plane(neighborhood, surface));
+  return surface;
+}
+
+TEST(Line, that_bends_is_one)
+{
+  Neighborhood neighborhood;
+  std::vector<Point> parabola, third_of_circle, three_lines;
+  for (int i = -40; i <= 40; ++i)
+  {
+    const double x = i / 40.;
+    parabola.emplace_back(x, 0.5 * x * x, 0.);
+    third_of_circle.emplace_back(std::sin(x), std::cos(x) - 1., 0.);
+    for (double y : {-0.5, 0., 0.5})
+      three_lines.emplace_back(x, y, 0.);
+  }
+  Local_surface surface = collect_in_plane(parabola, neighborhood);
+  EXPECT_GT(surface.width, 0.1 * surface.length);
+  EXPECT_NEAR(width_across_parabola(neighborhood, surface), 0., 1e-7);
+  EXPECT_TRUE(is_on_bent_line(neighborhood, surface));
+  surface = collect_in_plane(third_of_circle, neighborhood);
+  EXPECT_TRUE(is_on_bent_line(neighborhood, surface));
+  // no line, and no parabola fits it
+  surface = collect_in_plane(three_lines, neighborhood);
+  EXPECT_NEAR(width_across_parabola(neighborhood, surface), surface.width, 1e-7);
+  EXPECT_FALSE(is_on_bent_line(neighborhood, surface));
+  std::vector<Point> disk = patch(500, 3, [](double, double) { return 0.; });
+  disk.erase(std::remove_if(disk.begin(), disk.end(),
+                            [](const Point& p) { return std::hypot(p.x(), p.y()) > 0.5; }),
+             disk.end());
+  surface = collect_in_plane(disk, neighborhood);
+  EXPECT_FALSE(is_on_bent_line(neighborhood, surface));
+}
+
+// A wire: no neighborhood is broad, and the narrowest is next to the point. Also where the most that are asked for are
+// half of a circle.
 TEST(Fit, to_a_curve_takes_as_few_points_as_elsewhere)
 {
-  std::vector<Point> points;
-  for (int i = 0; i < 3000; ++i)
+  for (int number : {500, 3000})
   {
-    const double angle = 2. * CGAL_PI / 3000. * i;
-    points.emplace_back(std::cos(angle), std::sin(angle), 0.);
-  }
-  const Neighbor_search search(points, Tag());
-  const Surface_fit fit{search, points.size()};
-  Neighborhood neighborhood;
-  Local_surface surface;
-  for (int times = 0; times < 2; ++times)
-  {
-    surface =
-        fit_local_surface(fit, points[7], CGAL::NULL_VECTOR, surface, rounds_to_move, neighborhood);
-    EXPECT_TRUE(surface.is_curve);
-    EXPECT_EQ(surface.neighbors, smallest_neighborhood);
-    EXPECT_EQ(neighborhood.size(), smallest_neighborhood);
+    const std::vector<Point> points = rings(1, 0., number);
+    const Neighbor_search search(points, Tag());
+    const Surface_fit fit{search, points.size()};
+    Neighborhood neighborhood;
+    Local_surface surface;
+    for (int times = 0; times < 2; ++times)
+    {
+      surface = fit_local_surface(fit, points[7], CGAL::NULL_VECTOR, surface, rounds_to_move,
+                                  neighborhood);
+      EXPECT_TRUE(surface.is_curve) << number;
+      EXPECT_EQ(surface.neighbors, smallest_neighborhood);
+      EXPECT_EQ(neighborhood.size(), smallest_neighborhood);
+    }
   }
 }
 

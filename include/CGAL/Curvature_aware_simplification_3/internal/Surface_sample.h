@@ -52,12 +52,13 @@ struct Surface_sample
     if (!(neighborhood.radius > 0.))
       return point;
     const Point nearest = neighborhood.nearest(point);
+    const double n = static_cast<double>(neighborhood.size());
+    const double squared_radius = neighborhood.radius * neighborhood.radius;
     const double height = heights_in_noise * fit.noise.level;
-    const double largest_squared_distance = points_in_gap /
-                                                static_cast<double>(neighborhood.size()) *
-                                                neighborhood.radius * neighborhood.radius +
-                                            height * height;
-    if (squared_distance(nearest, point) <= largest_squared_distance)
+    // the points of a curve are 2 R / n apart
+    const double squared_gap =
+        surface.is_curve ? 4. * squared_radius / (n * n) : points_in_gap / n * squared_radius;
+    if (squared_distance(nearest, point) <= squared_gap + height * height)
       return nearest;
     fit_and_move(fit, nearest, guess, rounds, neighborhood);
     return neighborhood.nearest(point);

@@ -119,10 +119,10 @@ inline Local_surface fit_to_neighbors(const Surface_fit& fit, const Point& x, co
             neighbor.weight = 0.;
     };
     // First a plane. The ball may reach another sheet, which the next rounds then leave out: inner
-    // neighbors decide, unless the ball is as narrow as the noise allows. Then all are needed to tell
-    // the normal.
+    // neighbors decide, unless the ball is as narrow as the noise allows, or they may be on one line, for which
+    // more were asked for. Then all are needed to tell the normal.
     weight_by_distance();
-    if (!is_noisy(fit, neighborhood))
+    if (!is_noisy(fit, neighborhood) && smallest == smallest_neighborhood)
       for (Neighborhood::Neighbor& neighbor : neighborhood.neighbors)
         neighbor.weight = neighbor.weight * neighbor.weight * neighbor.weight;
     if (!has_guess && moves == 0)

@@ -51,8 +51,9 @@ inline bool holds_another_sheet(const Layer& narrow, const Layer& wide)
   return wide.thickness >= 2. * narrow.thickness && wide.width < 5. * wide.thickness;
 }
 
-// The noise of each range that layers around quadrics show. The narrower layer must be broad, and wide against
-// the noise: in one as thick as wide, a fit turns along the noise.
+// The noise of each range that layers around quadrics show. The narrower layer must be wide against the noise: in one as
+// thick as wide, a fit turns along the noise. And it must be broad, as must its inner half: if that is on one line of a
+// scan, the quadric can turn along the noise of the line, and meet the few points of the next.
 //
 // Where the narrowest is not, it may be two sheets. Where there is no such k up to 544, the noise is all there is
 // to see, and sigma is the thickness; but if that is more than the median, it may be that of a thin part, and
@@ -78,7 +79,7 @@ noise_around_quadrics(const Noise_probes& probes, const Neighbor_search& search,
   std::vector<double> limit(unknown.size(), std::numeric_limits<double>::infinity());
   std::vector<std::size_t> enough(unknown.size(), smallest); // points to hold several columns
   std::size_t k = smallest;
-  std::vector<Layer> narrow = layers(unknown, k);
+  std::vector<Layer> inner = layers(unknown, k / 2), narrow = layers(unknown, k);
   for (; !unknown.empty() && k <= largest && 2 * k <= number_of_points; k *= 2)
   {
     std::vector<Layer> wide = layers(unknown, 2 * k);
@@ -96,7 +97,8 @@ noise_around_quadrics(const Noise_probes& probes, const Neighbor_search& search,
         enough[range] = 4 * k;
       }
       const double level = noise_of_layers(narrow[range], wide[range]);
-      const bool are_enough = k >= enough[range] && narrow[range].is_broad();
+      const bool are_enough =
+          k >= enough[range] && inner[range].is_broad() && narrow[range].is_broad();
       if (are_enough && narrow[range].width >= wide_enough * narrow[range].thickness)
       {
         here.level = level * (k > smallest ? noise_in(wide[range]) : 1.);
@@ -113,6 +115,7 @@ noise_around_quadrics(const Noise_probes& probes, const Neighbor_search& search,
       }
     }
     unknown.swap(thick);
+    inner.swap(narrow);
     narrow.swap(wide);
   }
   const bool are_too_few = k <= largest && 2 * unknown.size() >= noise.size();
