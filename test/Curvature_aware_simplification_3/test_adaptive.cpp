@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <iterator>
 #include <random>
 #include <vector>
@@ -160,6 +161,15 @@ TEST(Adaptive, selects_of_few_points)
                                 [&](const Point& q) {
           return CGAL::squared_distance(p, q) < 1e-28;
         })) << p;
+  // whatever their order and the parameters of the paper
+  const std::vector<Point> reversed(sphere.rbegin(), sphere.rend());
+  for (std::uint64_t seed = 0; seed < 20; ++seed)
+  {
+    const auto parameters = np::number_of_output_points(9).random_seed(seed);
+    const std::vector<Point> output = simplified(sphere, parameters);
+    EXPECT_EQ(simplified(reversed, parameters), output);
+    EXPECT_EQ(simplified(sphere, parameters.curvature_weight(0.)), output);
+  }
 }
 
 TEST(Adaptive, removes_noise)

@@ -461,6 +461,23 @@ TEST(Box_of_most_points, names_the_point_that_is_far)
   }
 }
 
+// as where a scanner writes the largest number for each direction that nothing came back from
+TEST(Box_of_most_points, is_asked_for_measurements_alone)
+{
+  CGAL::Random random(29);
+  for (std::size_t missing : {1U, 60U, 300U, 750U})
+  {
+    std::vector<Point> points;
+    for (int i = 0; i < 1000; ++i)
+      points.emplace_back(random.uniform_real(0., 1.), random.uniform_real(0., 1.), 0.);
+    const double most = (std::numeric_limits<double>::max)();
+    points.insert(points.end(), missing, Point(most, most, most));
+    EXPECT_THROW(box_of_most_points(points, CGAL::bbox_3(points.begin(), points.end())),
+                 std::invalid_argument)
+        << missing;
+  }
+}
+
 TEST(Box_of_most_points, does_not_keep_step_with_the_rows_of_a_scan)
 {
   CGAL::Random random(28);

@@ -11,11 +11,14 @@
 #include <tbb/global_control.h>
 #endif
 
+#include <boost/iterator/function_output_iterator.hpp>
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <iterator>
 #include <limits>
@@ -605,11 +608,29 @@ TEST_P(Both_methods, errors_of_the_points)
             "k is 1, but must be an integer from 2 to 4294967295");
   EXPECT_NE(message_of([&] { variation(std::size_t(-1)); }), "no exception");
 
+  EXPECT_NE(message_of(
+                [&] {
+    simplified(points, np::number_of_output_points(std::int8_t(-3)));
+  }).find("is -3, but"),
+            std::string::npos);
+
   points[99] = Point(0., 0., -1e200); // a marker of an invalid measurement
   const std::string too_far = "points: the point at index 99 is more than 1e140 times as far from "
                               "most others as these are from each other";
   EXPECT_EQ(message_of([&] { output = simplified(points); }), too_far);
   EXPECT_EQ(message_of([&] { output = subset(points); }), too_far);
+}
+
+TEST(Report, is_filled_when_the_function_succeeds)
+{
+  CGAL::Curvature_aware_simplification_report report;
+  const auto full = boost::make_function_output_iterator(
+      [](const Point&) { throw std::length_error("no room is left"); });
+  EXPECT_THROW(CGAL::curvature_aware_simplify_point_set<Tag>(
+                   surfaces::sphere(1000, 3), full,
+                   np::number_of_output_points(50).simplification_report(std::ref(report))),
+               std::length_error);
+  EXPECT_EQ(report.number_of_input_points, 0U);
 }
 
 // What is degenerate must still give the exact count, finite, inside the box grown by 1.5
@@ -760,7 +781,7 @@ TEST_P(Both_methods, degenerate_coordinates_at_the_ends_of_their_range)
     tiny.emplace_back(1e-200 * p.x(), 1e-200 * p.y(), 1e-200 * p.z());
     huge.emplace_back(-1.7e308 + 1e305 * p.x(), 0., 1e305 * p.z());
   }
-  for (int i = 0; i < 200; ++i)
+  for (int i = 0; i < 1200; ++i) // most are not tiny, so that this is no mistake
     tiny.emplace_back(i % 2 == 0 ? -1. : 1., 0., 1e-3 * i);
   huge.emplace_back(1.7e308, 0., 0.);
   for (std::size_t n : {1u, 50u, 900u})

@@ -87,17 +87,27 @@ inline bool is_difference_finite(const Bbox_3& box, const Bbox_3& most)
                               "each other");
 }
 
+// Throws if `box`, that of all points, is so large against a box of the points in the middle that in its unit, the squares
+// of their distances would underflow: what is so far away is no measurement, but stands for the lack of one.
+inline void check_that_all_are_measurements(const std::vector<Point>& points, const Bbox_3& box,
+                                            const Bbox_3& middle)
+{
+  constexpr double no_digits = 1e140;
+  const double size = half_of_longest_side(middle);
+  if (size > 0. && size <= half_of_longest_side(box) / no_digits)
+    throw_point_too_far(points, middle);
+}
+
 // A box that holds most of the points, if that of all, `box`, is a hundred times as large: a few points
 // that are so far away would otherwise decide over the precision of all. `box` in all other cases.
 inline Bbox_3 box_of_most_points(const std::vector<Point>& points, const Bbox_3& box)
 {
   // Two of the seven digits of a float, with which curvature is still known. Nearer points cost less.
   constexpr double few_digits = 100.;
-  // In the unit of a box that is so many times as large, the squares of the others would underflow: such a
-  // point is no measurement, but stands for the lack of one.
-  constexpr double no_digits = 1e140;
   // One in twenty on each side is what may be far; of most shapes, twice the rest holds all.
   constexpr double few = 0.05;
+  // Not every direction of a scanner comes back: nearly half of the points may be no measurements.
+  constexpr double almost_half = 0.45;
   // Some points tell that there are none, and save the time for all. To be independent of the order of the points,
   // the answer must not depend on the choice of these: it is random, since the rows of a scan could keep step
   // with a regular one, and where twice as many are left out, one in twenty is not among the rest (seven
@@ -105,19 +115,22 @@ inline Bbox_3 box_of_most_points(const std::vector<Point>& points, const Bbox_3&
   constexpr std::size_t probes = 1000;
   constexpr double clearly_not_far = 10.;
 
-  const double size = half_of_longest_side(box);
   const Counter_based_random random(0, 0);
-  const Bbox_3 estimate = twice_the_middle_box(points, 2. * few, (std::min)(probes, points.size()),
-                                               [&](std::size_t i) {
-    return points.size() > probes ? random.bits(i) % points.size() : i;
-  });
-  if (half_of_longest_side(estimate) * clearly_not_far > size)
+  const auto box_of_probes = [&](double share)
+  {
+    return twice_the_middle_box(points, share, (std::min)(probes, points.size()),
+                                [&](std::size_t i) {
+      return points.size() > probes ? random.bits(i) % points.size() : i;
+    });
+  };
+  check_that_all_are_measurements(points, box, box_of_probes(almost_half));
+  const double size = half_of_longest_side(box);
+  if (half_of_longest_side(box_of_probes(2. * few)) * clearly_not_far > size)
     return box;
   const Bbox_3 most =
       twice_the_middle_box(points, few, points.size(), [](std::size_t i) { return i; });
+  check_that_all_are_measurements(points, box, most);
   const double size_of_most = half_of_longest_side(most);
-  if (size_of_most > 0. && size_of_most <= size / no_digits)
-    throw_point_too_far(points, most);
   return size_of_most > 0. && size_of_most < size / few_digits && is_difference_finite(box, most)
              ? most
              : box;

@@ -37,9 +37,9 @@ template <typename Value>
 [[noreturn]] void throw_invalid_parameter(const std::string& name, const Value& value,
                                           const std::string& allowed)
 {
-  std::ostringstream message;
+  std::ostringstream message; // with + since a small integer type may be that of characters
   message.precision(std::numeric_limits<double>::max_digits10);
-  message << name << " is " << value << ", but must be " << allowed;
+  message << name << " is " << +value << ", but must be " << allowed;
   throw std::invalid_argument(message.str());
 }
 

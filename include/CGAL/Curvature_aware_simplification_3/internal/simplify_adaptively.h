@@ -66,9 +66,16 @@ Distinct_samples simplify_adaptively(Cloud cloud, std::unique_ptr<Neighbor_searc
   report.features_time = stopwatch.lap();
   report.maximum_surface_variation = largest_curvature<ConcurrencyTag>(features);
 
-  if (only_selects)
+  if (number_of_samples >= cloud.size())
     return distinct_samples<ConcurrencyTag>(
         cloud, select_points<ConcurrencyTag>(cloud, features, parameters));
+  if (only_selects)
+  {
+    const std::vector<std::size_t> selected = select_along_curve<ConcurrencyTag>(
+        Curve_ranges{1, cloud.size()}, {1.}, number_of_samples, parameters.random_seed);
+    return {elements_at<ConcurrencyTag>(selected, cloud.points),
+            std::vector<std::size_t>(number_of_samples, 1)};
+  }
 
   cloud.input_index = std::vector<std::size_t>(); // where points come from is not asked any more
   cloud.duplicates = std::vector<Duplicate>();

@@ -67,8 +67,6 @@ OutputIterator simplify_point_set(const PointRange& points, OutputIterator outpu
                   std::move(cloud), std::move(search), parameters, settings, progress, report);
 
     progress.report(1.);
-    choose_parameter(get_parameter(np, internal_np::simplification_report), std::ref(report))
-        .get() = report;
     for (std::size_t i = 0; i < samples.points.size(); ++i)
     {
       const Point p = frame.from_frame(samples.points[i]);
@@ -76,6 +74,8 @@ OutputIterator simplify_point_set(const PointRange& points, OutputIterator outpu
         *output++ = typename Geom_traits::Point_3(static_cast<FT>(p.x()), static_cast<FT>(p.y()),
                                                   static_cast<FT>(p.z()));
     }
+    choose_parameter(get_parameter(np, internal_np::simplification_report), std::ref(report))
+        .get() = report;
   }
   catch (const Cancelled&)
   {}
