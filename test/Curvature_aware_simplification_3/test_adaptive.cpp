@@ -149,7 +149,7 @@ TEST(Adaptive, removes_noise_of_a_scanner_at_rest)
 // Of fewer points than a fit needs, samples were pushed far off all of them: of three on a line, by a distance.
 TEST(Adaptive, selects_of_few_points)
 {
-  const std::vector<Point> sphere = surfaces::sphere(18, 3);
+  const std::vector<Point> sphere = surfaces::sphere(56, 3);
   const std::vector<std::vector<Point>> inputs = {
       {Point(0., 0., 0.), Point(1., 0., 0.), Point(2., 0., 0.)},
       {Point(0., 0., 0.), Point(1., 0., 0.), Point(0., 1., 0.), Point(0., 0., 1.)},
