@@ -18,14 +18,15 @@ struct Adaptive_settings
 {
   // Steps that depth was rounded to are undone, instead of taken for faces.
   bool undo_rounding = true;
-  // Outliers get no weight, noise is measured; without, there is taken to be none.
+  // Outliers are removed.
   bool find_outliers = true;
   // Sparse parts of a surface are none, even where all their points are thick and far from each other.
   bool keep_sparse_surfaces = true;
   // Isolated clusters are outliers as well.
   bool find_clusters = true;
+  // Noise is measured; without, there is taken to be none.
   bool measure_noise = true;
-  // Noise is measured in layers of several columns, where points are one above the other.
+  // It is measured in layers of several columns, where points are one above the other.
   bool find_columns = true;
   // Each range of the Hilbert curve has the noise of its place; without, all have the median.
   bool noise_by_place = true;

@@ -37,6 +37,8 @@ struct Surface_fit
 inline constexpr std::size_t smallest_neighborhood = 19;
 // Four doublings above. Then noise is down to sigma / 6, and time grows faster than accuracy.
 inline constexpr std::size_t largest_neighborhood = 16 * 18 + 1;
+// Where a ball surely holds more than are taken, it does not matter how many more.
+inline constexpr double too_many_neighbors = 2. * largest_neighborhood;
 // In units of sigma. In a ball of that radius, the layer of noisy points looks flat; in a much smaller
 // one it looks as thick as wide and has no normal.
 inline constexpr double smallest_radius_in_noise = 7.;
@@ -56,9 +58,9 @@ inline void collect_neighbors(const Surface_fit& fit, const Point& x, std::size_
     if (neighborhood.radius >= wanted_radius || smallest == largest)
       return;
     // points on a surface grow with the square of the radius
-    const double ratio = wanted_radius / (neighborhood.radius + 1e-300);
-    expected_neighbors =
-        static_cast<std::size_t>((std::min)(ratio * ratio * static_cast<double>(smallest), 1e9));
+    const double ratio = wanted_radius / neighborhood.radius; // may be infinite
+    expected_neighbors = static_cast<std::size_t>(
+        (std::min)(ratio * ratio * static_cast<double>(smallest), too_many_neighbors));
   }
   if (expected_neighbors < 2 * largest) // otherwise the ball holds more anyway
   {

@@ -8,10 +8,10 @@
 
 #include <CGAL/Curvature_aware_simplification_3/internal/Cloud.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Covariance_sums.h>
-#include <CGAL/Curvature_aware_simplification_3/internal/fit_quadric.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/loops.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/mutual_neighbors.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/prefix_sums.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/principal_axes.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/shared_features.h>
 
 #include <algorithm>
@@ -51,7 +51,7 @@ inline bool is_off_plane_of_neighbors(const Cloud& cloud, const Neighbor_search&
 // several points makes the number uncertain: those with few are asked how many of their neighbors would vote for
 // them, were these asked one by one.
 template <typename ConcurrencyTag, typename NeededVotes, typename Test>
-std::vector<std::size_t> mark_those_with_less_votes(
+std::vector<std::size_t> mark_those_with_fewer_votes(
     const Cloud& cloud, const Neighbor_search& search, const Shared_features& shared, std::size_t k,
     const std::vector<std::atomic<std::uint32_t>>& votes, const NeededVotes& needed_votes,
     const Test& test, std::vector<std::uint8_t>& is_outlier)

@@ -73,8 +73,8 @@ std::vector<std::uint8_t> find_outliers(const Cloud& cloud, const Neighbor_searc
   };
   const auto mark = [&](const auto& needed_votes, const auto& test)
   {
-    return mark_those_with_less_votes<ConcurrencyTag>(cloud, search, shared, k, votes, needed_votes,
-                                                      test, is_outlier);
+    return mark_those_with_fewer_votes<ConcurrencyTag>(cloud, search, shared, k, votes,
+                                                       needed_votes, test, is_outlier);
   };
   // Those that lost votes are in a volume if what is around looks like that, too: a thin part among outliers does not.
   const auto mark_few_votes = [&]

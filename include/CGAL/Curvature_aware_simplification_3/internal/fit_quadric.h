@@ -6,13 +6,12 @@
 #ifndef CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_FIT_QUADRIC_H
 #define CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_FIT_QUADRIC_H
 
-#include <CGAL/Curvature_aware_simplification_3/internal/Covariance_sums.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Local_surface.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Neighborhood.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/principal_axes.h>
 
 #include <Eigen/Cholesky>
 #include <Eigen/Core>
-#include <Eigen/Eigenvalues>
 
 #include <algorithm>
 #include <cmath>
@@ -20,51 +19,6 @@
 namespace CGAL {
 namespace Curvature_aware_simplification_3 {
 namespace internal {
-
-inline Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen_solver(const Covariance_sums& sums,
-                                                                   int options)
-{
-  Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver;
-  solver.computeDirect(symmetric_matrix(sums.covariance()), options);
-  return solver;
-}
-
-// The eigenvalues of the covariance matrix, in increasing order
-inline Eigen::Vector3d eigenvalues(const Covariance_sums& sums)
-{
-  return eigen_solver(sums, Eigen::EigenvaluesOnly).eigenvalues();
-}
-
-// The direction in which weighted points are spread least (0) or most (2)
-inline Vector principal_axis(const Covariance_sums& sums, int which)
-{
-  const Eigen::Vector3d axis =
-      eigen_solver(sums, Eigen::ComputeEigenvectors).eigenvectors().col(which);
-  const double length = axis.norm();
-  // the closed formula fails where all neighbors coincide: any direction is as good then
-  return length > 0.5 ? Vector(axis.x() / length, axis.y() / length, axis.z() / length)
-                      : Vector(0., 0., 1.);
-}
-
-inline Covariance_sums covariance_sums(const Neighborhood& neighborhood)
-{
-  Covariance_sums sums;
-  for (const Neighborhood::Neighbor& neighbor : neighborhood.neighbors)
-    sums.add(neighbor.position, neighbor.weight);
-  return sums;
-}
-
-// The normal of the weighted least-squares plane
-inline Vector plane_normal(const Neighborhood& neighborhood)
-{
-  return principal_axis(covariance_sums(neighborhood), 0);
-}
-
-// The direction of the weighted least-squares line
-inline Vector line_direction(const Neighborhood& neighborhood)
-{
-  return principal_axis(covariance_sums(neighborhood), 2);
-}
 
 // The length and the width of weighted neighbors: the roots of the eigenvalues of the covariance matrix of their places
 // in the plane, from the moments m_ij = sum w a^i b^j in some unit
@@ -140,7 +94,8 @@ inline bool fit_quadric(const Neighborhood& neighborhood, double noise, Local_su
       m02, m12, m03, m22, m13, m04;
   right << h00, h10, h01, h20, h11, h02;
   // A penalty that only speaks where the neighbors are silent: points on a line know nothing of the
-  // curvature across it. Against the 1/24 that a disk contributes to a^4, 1e-5 is nothing.
+  // curvature across it. Against the 3/80 that a disk with the weights (1 - r^2)^2 contributes to a^4, and the
+  // 1/8 to a^2, 1e-5 and 1e-9 are nothing.
   for (int i = 1; i < 6; ++i)
     matrix(i, i) += (i < 3 ? 1e-9 : 1e-5) * sum;
 

@@ -58,7 +58,7 @@ void remove_outliers(Cloud& cloud, std::unique_ptr<Neighbor_search>& search,
   features.inverse_density = elements_at<ConcurrencyTag>(kept, features.inverse_density);
   kept = std::vector<std::size_t>();
   if (!are_few)
-    search.reset(new Neighbor_search(cloud.points, ConcurrencyTag()));
+    search = std::make_unique<Neighbor_search>(cloud.points, ConcurrencyTag());
 }
 
 } // namespace internal

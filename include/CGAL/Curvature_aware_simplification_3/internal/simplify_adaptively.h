@@ -115,7 +115,7 @@ Distinct_samples simplify_adaptively(Cloud cloud, std::unique_ptr<Neighbor_searc
                                           number_of_samples, mean_spacing, settings,
                                           progress.part(0.3, 0.4));
     search.reset();
-    search.reset(new Neighbor_search(points, ConcurrencyTag()));
+    search = std::make_unique<Neighbor_search>(points, ConcurrencyTag());
   }
   report.smoothing_time = stopwatch.lap();
 

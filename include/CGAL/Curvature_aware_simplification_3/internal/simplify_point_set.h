@@ -52,7 +52,7 @@ OutputIterator simplify_point_set(const PointRange& points, OutputIterator outpu
     Cloud cloud = make_cloud<ConcurrencyTag>(
         read_coordinates(points, Types::NP_helper::get_const_point_map(points, np)),
         relative_rounding_error<FT>());
-    std::unique_ptr<Neighbor_search> search(new Neighbor_search(cloud.points, ConcurrencyTag()));
+    auto search = std::make_unique<Neighbor_search>(cloud.points, ConcurrencyTag());
     report.sorting_time = stopwatch.lap();
 
     report.number_of_input_points = cloud.input_size();

@@ -71,7 +71,8 @@ inline Smoothed_point smooth_point(const Surface_fit& fit, const Point& x, doubl
   if (!fit.noise.is_visible)
     return unchanged;
   const double radius = smoothing_radius(fit.noise, spacing_of_samples);
-  const double expected_neighbors = (std::min)(radius * radius / inverse_density, 1e9);
+  const double expected_neighbors =
+      (std::min)(radius * radius / inverse_density, too_many_neighbors);
   collect_neighbors(fit, x, smoothing_neighborhood, radius,
                     static_cast<std::size_t>(expected_neighbors), neighborhood);
   if (!(neighborhood.radius > 0.))

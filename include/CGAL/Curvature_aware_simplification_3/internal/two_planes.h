@@ -7,8 +7,9 @@
 #define CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_TWO_PLANES_H
 
 #include <CGAL/Curvature_aware_simplification_3/internal/Counter_based_random.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/Covariance_sums.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Neighborhood.h>
-#include <CGAL/Curvature_aware_simplification_3/internal/fit_quadric.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/principal_axes.h>
 
 #include <algorithm>
 #include <cmath>
@@ -55,17 +56,12 @@ struct Fold
 // The least-squares plane of points, of which there is one at least
 inline Local_plane fit_local_plane(const std::vector<Vector>& points)
 {
-  static thread_local Neighborhood patch;
-  patch.neighbors.clear();
-  Vector sum(0., 0., 0.);
+  Covariance_sums sums;
   for (const Vector& p : points)
-  {
-    patch.neighbors.push_back({p, 0., 1.});
-    sum = sum + p;
-  }
+    sums.add(p);
   Local_plane plane;
-  plane.normal = plane_normal(patch);
-  plane.d = sum * plane.normal / static_cast<double>(points.size());
+  plane.normal = principal_axis(sums, 0);
+  plane.d = sums.mean() * plane.normal;
   return plane;
 }
 

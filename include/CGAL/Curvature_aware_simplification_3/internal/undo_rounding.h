@@ -80,7 +80,7 @@ Depth_levels undo_rounding(Cloud& cloud, std::unique_ptr<Neighbor_search>& searc
                                  [&](std::size_t i)
                                  { points[i] = points[i] + heights[i] * levels.direction; });
   search.reset(); // two trees at once would take the most memory of the call
-  search.reset(new Neighbor_search(points, ConcurrencyTag()));
+  search = std::make_unique<Neighbor_search>(points, ConcurrencyTag());
   return levels;
 }
 

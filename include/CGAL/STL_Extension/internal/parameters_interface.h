@@ -24,20 +24,19 @@
 #include_next <CGAL/STL_Extension/internal/parameters_interface.h>
 #endif
 
+// which clang-format would take for one statement:
+// clang-format off
 // begin: Curvature_aware_simplification_3
 CGAL_add_named_parameter(curvature_weight_t, curvature_weight, curvature_weight)
-    CGAL_add_named_parameter(curvature_dependence_t, curvature_dependence, curvature_dependence)
-        CGAL_add_named_parameter(adaptivity_t, adaptivity, adaptivity)
-            CGAL_add_named_parameter(number_of_neighbors_t, number_of_neighbors,
-                                     number_of_neighbors)
-                CGAL_add_named_parameter(repulsion_weight_t, repulsion_weight, repulsion_weight)
-                    CGAL_add_named_parameter(recompute_curvature_t, recompute_curvature,
-                                             recompute_curvature)
-                        CGAL_add_named_parameter(settings_of_the_paper_t, settings_of_the_paper,
-                                                 settings_of_the_paper)
-                            CGAL_add_named_parameter(simplification_report_t, simplification_report,
-                                                     simplification_report)
+CGAL_add_named_parameter(curvature_dependence_t, curvature_dependence, curvature_dependence)
+CGAL_add_named_parameter(adaptivity_t, adaptivity, adaptivity)
+CGAL_add_named_parameter(number_of_neighbors_t, number_of_neighbors, number_of_neighbors)
+CGAL_add_named_parameter(repulsion_weight_t, repulsion_weight, repulsion_weight)
+CGAL_add_named_parameter(recompute_curvature_t, recompute_curvature, recompute_curvature)
+CGAL_add_named_parameter(settings_of_the_paper_t, settings_of_the_paper, settings_of_the_paper)
+CGAL_add_named_parameter(simplification_report_t, simplification_report, simplification_report)
 // end: Curvature_aware_simplification_3
+// clang-format on
 
 #undef CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_IN_PARAMETERS_INTERFACE
 #else
