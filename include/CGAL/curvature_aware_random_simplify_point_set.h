@@ -159,6 +159,7 @@ curvature_aware_random_simplify_point_set(const PointRange& points, OutputIterat
   try
   {
     const Progress progress(parameters.callback);
+    progress.report(0.);
     const Cloud cloud = make_cloud<ConcurrencyTag>(
         read_coordinates(points, Types::NP_helper::get_const_point_map(points, np)),
         relative_rounding_error<typename Types::Geom_traits::FT>());

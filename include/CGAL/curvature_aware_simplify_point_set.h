@@ -155,7 +155,8 @@ input then, so that a permutation of the input gives another selection.
     \cgalParamDefault{`16`}
     \cgalParamExtra{More neighbors find clusters of up to eight times as many outliers, and make the
                     surface variation robust against noise and blind to details smaller than the
-                    neighborhood.}
+                    neighborhood. With less than about 8, points of clean surfaces look like outliers: of
+                    random points on a torus 8 % with 2, 2 % with 3, 0.15 % with 5.}
   \cgalParamNEnd
 
   \cgalParamNBegin{settings_of_the_paper}

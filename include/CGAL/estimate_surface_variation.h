@@ -114,6 +114,7 @@ bool estimate_surface_variation(PointRange& points, std::size_t k,
   try
   {
     const Progress progress(callback);
+    progress.report(0.);
     const Cloud cloud = make_cloud<ConcurrencyTag>(
         read_coordinates(points, Types::NP_helper::get_const_point_map(points, np)),
         relative_rounding_error<typename Types::Geom_traits::FT>());

@@ -49,6 +49,7 @@ OutputIterator simplify_point_set(const PointRange& points, OutputIterator outpu
 
   try
   {
+    progress.report(0.);
     Cloud cloud = make_cloud<ConcurrencyTag>(
         read_coordinates(points, Types::NP_helper::get_const_point_map(points, np)),
         relative_rounding_error<FT>());
