@@ -51,12 +51,12 @@ Distinct_samples simplify_adaptively(Cloud cloud, std::unique_ptr<Neighbor_searc
 {
   Stopwatch stopwatch;
   const std::size_t number_of_samples = parameters.number_of_output_points;
-  // All points, and duplicates; or so few that a fit, to more than a third of all, does not tell what is between them:
-  // samples of 19 to 45 points on a sphere are up to 0.7 to 0.4 of its radius off it, of 57 points 0.14.
-  constexpr std::size_t fewest = 3 * smallest_neighborhood;
-  const bool only_selects = number_of_samples >= cloud.size() || cloud.size() < fewest;
+  const bool takes_all = number_of_samples >= cloud.size(); // and duplicates
+  // A fit to more than a third of all points does not tell what is between them: samples of 19 to 45 points on a sphere
+  // would be up to 0.7 to 0.4 of its radius off it, of 57 points 0.14.
+  const bool are_too_few = cloud.size() < 3 * smallest_neighborhood;
   Depth_levels depth_levels;
-  if (settings.undo_rounding && !only_selects)
+  if (settings.undo_rounding && !takes_all && !are_too_few)
     depth_levels = undo_rounding<ConcurrencyTag>(cloud, search);
   report.depth_step = cloud.frame.length_from_frame(depth_levels.typical_step());
   report.sorting_time += stopwatch.lap();
@@ -67,10 +67,10 @@ Distinct_samples simplify_adaptively(Cloud cloud, std::unique_ptr<Neighbor_searc
   report.features_time = stopwatch.lap();
   report.maximum_surface_variation = largest_curvature<ConcurrencyTag>(features);
 
-  if (number_of_samples >= cloud.size())
+  if (takes_all)
     return distinct_samples<ConcurrencyTag>(
         cloud, select_points<ConcurrencyTag>(cloud, features, parameters));
-  if (only_selects)
+  if (are_too_few)
   {
     const std::vector<std::size_t> selected = select_along_curve<ConcurrencyTag>(
         Curve_ranges{1, cloud.size()}, {1.}, number_of_samples, parameters.random_seed);
