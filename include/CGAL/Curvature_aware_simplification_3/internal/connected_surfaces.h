@@ -13,6 +13,7 @@
 #include <CGAL/Curvature_aware_simplification_3/internal/mutual_neighbors.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/prefix_sums.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/sparse_surfaces.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/thick_and_sparse.h>
 
 #include <atomic>
 #include <cstddef>
@@ -27,14 +28,43 @@ namespace internal {
 // where they are denser: what has points of the surface for half of its neighbors, which have it for theirs, is part of
 // it, though nothing around is flat.
 
-// The share of the neighbors that such a point needs. A third would let one outlier follow the other where they are
+// How many such neighbors a point needs. With a third of them, one outlier would follow the other where they are
 // dense. A quarter lets all of a tube that becomes sparse follow, where half leaves up to 5 % of its points.
-inline double needed_share_of_neighbors(bool are_outliers_likely)
+inline std::size_t needed_neighbors(std::size_t k, bool are_outliers_likely)
 {
-  return are_outliers_likely ? 1. / 2. : 1. / 4.;
+  return are_outliers_likely ? (k + 1) / 2 : (k + 3) / 4;
 }
 
-// Unmarks those of the far ones of whose k nearest such a share at least is not marked and has them among its own, those
+// Of the far ones that are marked, those of whose k nearest `needed` are not and have them among their own. `neighbors`
+// counts these for all points that are far and marked.
+template <typename ConcurrencyTag>
+std::vector<std::size_t>
+next_to_unmarked(const Cloud& cloud, const Neighbor_search& search, const Features& features,
+                 std::size_t k, std::size_t needed, const std::vector<std::size_t>& far_ones,
+                 const std::vector<std::uint8_t>& is_outlier,
+                 std::vector<std::atomic<std::uint32_t>>& neighbors)
+{
+  std::vector<std::uint8_t> has_enough(far_ones.size());
+  for_each_index<ConcurrencyTag>(0, far_ones.size(),
+                                 [&](std::size_t f)
+                                 {
+    const std::size_t i = far_ones[f];
+    if (is_outlier[i] == 0)
+      return;
+    std::uint32_t number = 0;
+    for_each_mutual_neighbor(
+        cloud, search, features, k, i, [&](std::size_t j) { return is_outlier[j] == 0; },
+        [&](std::size_t) { ++number; });
+    neighbors[i].store(number, std::memory_order_relaxed);
+    has_enough[f] = number >= needed ? 1 : 0;
+  });
+  return elements_at<ConcurrencyTag>(indices_where<ConcurrencyTag>(far_ones.size(),
+                                                                   [&](std::size_t f)
+                                                                   { return has_enough[f] != 0; }),
+                                     far_ones);
+}
+
+// Unmarks those of the far ones of whose k nearest so many at least are not marked and have it among their own, those
 // next to these, and so on. An outlier over a surface is no neighbor of its points, and those farther off have no
 // others than outliers. But if outliers are likely, some may be too dense to be marked and connect others: those are left
 // that look like space. O(k + log n) for each far one, and for each one unmarked.
@@ -44,45 +74,41 @@ void unmark_connected(const Cloud& cloud, const Neighbor_search& search, const F
                       const std::vector<std::size_t>& far_ones,
                       std::vector<std::uint8_t>& is_outlier)
 {
-  const double needed = needed_share_of_neighbors(are_outliers_likely) * static_cast<double>(k);
-
-  std::vector<std::atomic<std::uint32_t>> neighbors(cloud.size()); // that are not marked
-  std::vector<std::uint8_t> is_asked(far_ones.size());
-  for_each_index<ConcurrencyTag>(0, far_ones.size(),
-                                 [&](std::size_t f)
-                                 {
-    // those that are still marked, once they have enough neighbors
-    is_asked[f] = is_outlier[far_ones[f]] == 0 ? 1 : 0;
-    for_each_mutual_neighbor(
-        cloud, search, features, k, far_ones[f], [&](std::size_t j) { return is_outlier[j] == 0; },
-        [&](std::size_t) { neighbors[far_ones[f]].fetch_add(1, std::memory_order_relaxed); });
+  const std::size_t needed = needed_neighbors(k, are_outliers_likely);
+  // of those that are far and marked; others are never asked, as if they had more than enough already
+  std::vector<std::atomic<std::uint32_t>> neighbors(cloud.size());
+  for_each_index<ConcurrencyTag>(0, cloud.size(),
+                                 [&](std::size_t i) {
+    neighbors[i].store(static_cast<std::uint32_t>(needed), std::memory_order_relaxed);
   });
-  for (;;)
+  std::vector<std::size_t> asked = next_to_unmarked<ConcurrencyTag>(
+      cloud, search, features, k, needed, far_ones, is_outlier, neighbors);
+  while (!asked.empty())
   {
-    const std::vector<std::size_t> asked = indices_where<ConcurrencyTag>(far_ones.size(),
-                                                                         [&](std::size_t f) {
-      return is_asked[f] == 0 && neighbors[far_ones[f]].load(std::memory_order_relaxed) >= needed;
-    });
-    if (asked.empty())
-      return;
     for_each_index<ConcurrencyTag>(0, asked.size(),
                                    [&](std::size_t a)
                                    {
-      is_asked[asked[a]] = 1;
-      const std::size_t i = far_ones[asked[a]];
       if (!are_outliers_likely ||
-          curvature_of_twice_the_radius(cloud, search, k, i) <= largest_curvature_of_parts)
-        is_outlier[i] = 0;
+          curvature_of_twice_the_radius(cloud, search, k, asked[a]) <= largest_curvature_of_parts)
+        is_outlier[asked[a]] = 0;
     });
+    // Each is asked in the round in which it gets the last neighbor it needs; in which order does not matter.
+    std::vector<std::vector<std::size_t>> reached(asked.size());
     for_each_index<ConcurrencyTag>(0, asked.size(),
                                    [&](std::size_t a)
                                    {
-      const std::size_t i = far_ones[asked[a]];
-      if (is_outlier[i] == 0)
+      if (is_outlier[asked[a]] == 0)
         for_each_mutual_neighbor(
-            cloud, search, features, k, i, [&](std::size_t j) { return is_outlier[j] != 0; },
-            [&](std::size_t j) { neighbors[j].fetch_add(1, std::memory_order_relaxed); });
+            cloud, search, features, k, asked[a], [&](std::size_t j) { return is_outlier[j] != 0; },
+            [&](std::size_t j)
+            {
+          if (neighbors[j].fetch_add(1, std::memory_order_relaxed) + 1 == needed)
+            reached[a].push_back(j);
+            });
     });
+    asked.clear();
+    for (const std::vector<std::size_t>& some : reached)
+      asked.insert(asked.end(), some.begin(), some.end());
   }
 }
 

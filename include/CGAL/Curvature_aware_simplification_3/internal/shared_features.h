@@ -11,6 +11,7 @@
 #include <CGAL/Curvature_aware_simplification_3/internal/features.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/loops.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/median.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/thick_and_sparse.h>
 
 #include <algorithm>
 #include <atomic>
@@ -22,14 +23,6 @@
 namespace CGAL {
 namespace Curvature_aware_simplification_3 {
 namespace internal {
-
-// kappa of a fold of 45 degrees, and less than a tenth of that of points spread evenly in space: what is next to
-// edges, noise and outliers are not flat.
-inline constexpr double largest_curvature_of_flat_points = 0.02;
-
-// kappa of points spread evenly in space: 0.19 on average for k = 16, and 99 % are above 0.07; that of a surface
-// is, by Gaussian noise as large as the neighborhood, about 0.1 as well.
-inline constexpr double least_curvature_of_volumes = 0.07;
 
 // Features of which a point may have those of one nearby, its representative: where the neighborhood of
 // a point is flat, those in its inner half see the same, and need not have their neighbors looked up.
@@ -43,18 +36,6 @@ struct Shared_features
       votes; // of other points that have this one among the k nearest; a vote
              // counts for all whom the voter represents, so k on average
 };
-
-// Points with more than this 1/rho are so sparse that they may be outliers: 3 times the median radius
-inline double far_inverse_density(const std::vector<double>& inverse_density)
-{
-  constexpr double far_radius = 3.;
-  // the median of some points, evenly along the curve: it need not be exact
-  const std::size_t number_of_probes = (std::min)(std::size_t(10000), inverse_density.size());
-  std::vector<double> probes(number_of_probes);
-  for (std::size_t i = 0; i < number_of_probes; ++i)
-    probes[i] = inverse_density[i * inverse_density.size() / number_of_probes];
-  return far_radius * far_radius * median(probes);
-}
 
 // O(n (log n + k)), but k-nearest-neighbor queries for a quarter of the points only, where these are
 // dense against shape and noise

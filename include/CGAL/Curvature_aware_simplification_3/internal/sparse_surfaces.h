@@ -15,6 +15,7 @@
 #include <CGAL/Curvature_aware_simplification_3/internal/prefix_sums.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/principal_axes.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/shared_features.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/thick_and_sparse.h>
 
 #include <Eigen/Core>
 
@@ -51,12 +52,6 @@ inline double curvature_of_twice_the_radius(const Cloud& cloud, const Neighbor_s
   const Eigen::Vector3d lambda = eigenvalues(sums);
   return lambda(0) / lambda.sum();
 }
-
-// It is mostly 0.03 to 0.15 for parts of a surface, and 0.18 to 0.26 in space.
-inline constexpr double largest_curvature_of_parts = 0.15;
-
-// At the border of a volume, it is that of a half ball, 0.13.
-inline constexpr double least_curvature_at_borders_of_volumes = 0.12;
 
 // The median of that over these, or over 1000 of them, evenly along the curve: it need not be exact
 template <typename ConcurrencyTag>

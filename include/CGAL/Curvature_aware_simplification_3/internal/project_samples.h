@@ -1,0 +1,64 @@
+// Copyright (c) 2026 The authors of Curvature_aware_simplification_3.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_PROJECT_SAMPLES_H
+#define CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_PROJECT_SAMPLES_H
+
+#include <CGAL/Curvature_aware_simplification_3/internal/Neighbor_search.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/Progress.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/Sample_neighbors.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/Surface_fit.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/Surface_sample.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/clean_scan.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/correct_by_points.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/denoise_samples.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/fit_to_neighbors.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/loops.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/move_to_corners.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/move_to_edges.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/prefix_sums.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace CGAL {
+namespace Curvature_aware_simplification_3 {
+namespace internal {
+
+// Moves samples that have their places along the surface onto it: the step from a fit that is good enough to move on to
+// what the points around say in all. `neighbors` are those of about these places.
+template <typename ConcurrencyTag>
+void project_samples(std::vector<Surface_sample>& samples, const Sample_neighbors& neighbors,
+                     const Clean_scan& scan, const Surface_fit& fit, const Progress& progress)
+{
+  std::vector<Point> nearest(samples.size());
+  for_each_index<ConcurrencyTag>(samples.size(), progress.part(0., 0.4),
+                                 [&](std::size_t i)
+                                 {
+    Surface_sample& x = samples[i];
+    nearest[i] = x.place(fit.with(x.noise), x.point, x.normal, rounds_to_stay);
+  });
+  if (fit.settings.correct_by_points && !scan.had_many_outliers)
+    correct_by_points<ConcurrencyTag>(samples, nearest, neighbors, fit);
+  if (fit.settings.denoise && scan.noise.is_visible())
+    denoise_samples<ConcurrencyTag>(samples, fit, progress.part(0.4, 0.8));
+  if (fit.settings.move_to_edges)
+  {
+    const std::vector<Point> bent = elements_at<ConcurrencyTag>(
+        indices_where<ConcurrencyTag>(scan.points.size(),
+                                      [&](std::size_t i) { return scan.is_bent[i] != 0; }),
+        scan.points);
+    move_to_edges<ConcurrencyTag>(samples, neighbors, fit, bent, progress.part(0.8, 0.93));
+  }
+  if (fit.settings.move_to_corners)
+    move_to_corners<ConcurrencyTag>(samples, neighbors, fit, progress.part(0.93, 1.));
+}
+
+} // namespace internal
+} // namespace Curvature_aware_simplification_3
+} // namespace CGAL
+
+#endif // CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_PROJECT_SAMPLES_H
