@@ -1,5 +1,5 @@
-// Time and memory of one call with default parameters, and the ratio of the time to that of one normal
-// estimation of the same points; see --help. The result is a JSON object.
+// Time and memory of one call with default parameters, and the ratio of the time to that of one
+// normal estimation of the same points; see --help. The result is a JSON object.
 
 #include "surfaces.h"
 

@@ -1,6 +1,6 @@
-// Runs one method on one input and measures the result; see --help. One JSON object for each setting
-// of the method is printed, a line each. A process of its own for each method keeps apart their
-// memory and their failures.
+// Runs one method on one input and measures the result; see --help. One JSON object for each
+// setting of the method is printed, a line each. A process of its own for each method keeps apart
+// their memory and their failures.
 
 #include <comparison/input.h>
 #include <comparison/measures.h>

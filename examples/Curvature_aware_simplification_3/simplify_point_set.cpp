@@ -217,8 +217,8 @@ bool write(std::ostream& stream, const std::string& format, Point_set& points)
                          : CGAL::IO::write_XYZ(stream, points, precision);
 }
 
-// Writes beside the output and renames, so that there is the whole file or none. What a link leads to is replaced, and
-// not the link; a file that is there keeps its permissions.
+// Writes beside the output and renames, so that there is the whole file or none. What a link leads
+// to is replaced, and not the link; a file that is there keeps its permissions.
 void write(const std::string& filename, Point_set& points)
 {
   const fs::path path = fs::exists(filename) ? fs::canonical(filename) : fs::path(filename);

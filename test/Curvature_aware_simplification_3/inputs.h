@@ -137,7 +137,8 @@ inline double distance_to_edge(const Point& p)
   return std::sqrt(d[0] * d[0] + d[1] * d[1]);
 }
 
-// A frame of a depth camera: n x n pixels a distance of 1 apart, with depth rounded to multiples of `step`
+// A frame of a depth camera: n x n pixels a distance of 1 apart, with depth rounded to multiples of
+// `step`
 template <typename Depth>
 std::vector<Point> depth_frame(int n, double step, const Depth& depth)
 {

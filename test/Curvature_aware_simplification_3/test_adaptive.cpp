@@ -40,8 +40,8 @@ TEST(Adaptive, lies_on_the_surface)
   EXPECT_LT(report.noise_level, 1e-3);
 }
 
-// Scanners measure more densely along a line than across. Samples between lines were pushed off the surface by a tenth to
-// a quarter of the distance of the lines: fits had turned about one of them.
+// Scanners measure more densely along a line than across. Samples between lines were pushed off the
+// surface by a tenth to a quarter of the distance of the lines: fits had turned about one of them.
 TEST(Adaptive, lies_on_a_surface_that_was_scanned_in_lines)
 {
   const int lines = 60;
@@ -67,8 +67,8 @@ TEST(Adaptive, lies_on_a_surface_that_was_scanned_in_lines)
     }
 }
 
-// Rings of a cylinder up to 67 times as far apart as the points on them: samples were off it by up to 0.6 of their
-// distances.
+// Rings of a cylinder up to 67 times as far apart as the points on them: samples were off it by up
+// to 0.6 of their distances.
 TEST(Adaptive, lies_on_a_surface_that_was_scanned_in_lines_that_bend)
 {
   for (int on_ring : {500, 1000, 2000})
@@ -100,8 +100,8 @@ TEST(Adaptive, lies_on_a_curve)
   }
 }
 
-// Depth cameras round depth to steps. These were taken for faces, and no noise was found: samples were off the surface
-// by as much as the points.
+// Depth cameras round depth to steps. These were taken for faces, and no noise was found: samples
+// were off the surface by as much as the points.
 TEST(Adaptive, lies_on_a_surface_whose_depth_was_rounded)
 {
   for (double step : {2., 3., 5., 8.})
@@ -128,8 +128,8 @@ TEST(Adaptive, lies_on_a_surface_whose_depth_was_rounded)
     }
 }
 
-// The nearest points were on one line of sight, and fits along it: samples were as far off as the points, and the more
-// frames, the worse.
+// The nearest points were on one line of sight, and fits along it: samples were as far off as the
+// points, and the more frames, the worse.
 TEST(Adaptive, removes_noise_of_a_scanner_at_rest)
 {
   for (int frames : {5, 10, 20})
@@ -146,7 +146,8 @@ TEST(Adaptive, removes_noise_of_a_scanner_at_rest)
     }
 }
 
-// Of fewer points than a fit needs, samples were pushed far off all of them: of three on a line, by a distance.
+// Of fewer points than a fit needs, samples were pushed far off all of them: of three on a line, by
+// a distance.
 TEST(Adaptive, selects_of_few_points)
 {
   const std::vector<Point> sphere = surfaces::sphere(56, 3);
@@ -288,7 +289,8 @@ TEST(Adaptive, spreads_evenly_on_a_noisy_plane)
 
 TEST(Adaptive, places_no_sample_in_a_gap)
 {
-  // where a sample goes from near the middle of a hole with this radius, in a plane of points 0.1 apart
+  // where a sample goes from near the middle of a hole with this radius, in a plane of points 0.1
+  // apart
   const auto place = [](double hole)
   {
     std::vector<Point> points;
@@ -309,10 +311,10 @@ TEST(Adaptive, places_no_sample_in_a_gap)
 
 TEST(Adaptive, leaves_no_sample_far_from_a_sparse_comb)
 {
-  // Plates and walls, 1/20 apart, sampled ten times as densely on one end as on the other, where the
-  // neighbors of a point are on three of them. Without the limit on quadrics, samples are up to 32
-  // spacings off in 7 of the first 30; without that on gaps, up to 7 spacings in 4 of 300, and in 4
-  // others when neighbors of samples were searched for more often: these, and 16.
+  // Plates and walls, 1/20 apart, sampled ten times as densely on one end as on the other, where
+  // the neighbors of a point are on three of them. Without the limit on quadrics, samples are up to
+  // 32 spacings off in 7 of the first 30; without that on gaps, up to 7 spacings in 4 of 300, and
+  // in 4 others when neighbors of samples were searched for more often: these, and 16.
   std::vector<unsigned int> seeds = {106, 110, 147, 179, 214, 254, 289};
   for (unsigned int seed = 1; seed <= 30; ++seed)
     seeds.push_back(seed);
@@ -436,7 +438,8 @@ TEST(Adaptive, is_on_the_sides_of_a_plate_as_thin_as_its_points_are_apart)
   EXPECT_EQ(between(1.4, true, true), between(1.4, false, true));
 }
 
-// Half as many samples as points: a point may be the nearest one of several samples whose fits miss it.
+// Half as many samples as points: a point may be the nearest one of several samples whose fits miss
+// it.
 TEST(Adaptive, puts_no_two_samples_on_one_point)
 {
   std::vector<Point> output =
@@ -447,8 +450,8 @@ TEST(Adaptive, puts_no_two_samples_on_one_point)
 
 TEST(Adaptive, does_not_mix_the_sides_of_a_noisy_plate)
 {
-  // Sheets 9 standard deviations apart. Of points 3 or more off, a fit sees no layer; the samples that
-  // start there were lost between the sheets, 21 of the 4000.
+  // Sheets 9 standard deviations apart. Of points 3 or more off, a fit sees no layer; the samples
+  // that start there were lost between the sheets, 21 of the 4000.
   const double sigma = 0.004, thickness = 9. * sigma;
   CGAL::Random random(35);
   std::vector<Point> points;

@@ -158,8 +158,8 @@ TEST(Rounding_of_depth, is_undone_between_the_borders_of_the_steps)
   const std::vector<Point> slope =
       depth_frame(100, step, [](double x, double) { return (x + 0.5) / 2.; });
   const Neighbor_search search(slope, Tag());
-  // x = 9 to 14 are at z = 6: the first of them is one from the step below, and six from the one above, which are
-  // farther than the sqrt(2) 3 that count
+  // x = 9 to 14 are at z = 6: the first of them is one from the step below, and six from the one
+  // above, which are farther than the sqrt(2) 3 that count
   const double reach = 3. * std::sqrt(2.);
   const auto away = [&](std::size_t x)
   { return rounded_away(slope[100 * x + 50], levels, search); };

@@ -163,8 +163,8 @@ TEST(Fold, is_seen_by_samples_on_both_sides)
 
 TEST(Adaptive, leaves_few_gaps_on_sharp_edges)
 {
-  // 0.5 % of the gaps are longer than the 0.054 between uniform samples, and 4 % if only samples within 0.65
-  // spacings move onto an edge.
+  // 0.5 % of the gaps are longer than the 0.054 between uniform samples, and 4 % if only samples
+  // within 0.65 spacings move onto an edge.
   std::size_t gaps = 0, wide_gaps = 0;
   for (unsigned int seed : {1u, 2u, 3u})
   {
@@ -201,8 +201,8 @@ TEST(Adaptive, puts_samples_on_sharp_edges)
   {
     const std::vector<Point> result = simplified(cube(n, 87), np::number_of_output_points(3000));
     EXPECT_GT(on_edges(result, 1e-4), 12. / 0.054) << n;
-    // along one of them, no hole, and none closer than a quarter of the least spacing, a half of the mean:
-    // of 15,000 gaps in 40 such cubes, 19 are below 0.3 of it, and the least is 0.26
+    // along one of them, no hole, and none closer than a quarter of the least spacing, a half of
+    // the mean: of 15,000 gaps in 40 such cubes, 19 are below 0.3 of it, and the least is 0.26
     std::vector<double> along;
     for (const Point& p : result)
       if (p.x() < 1e-4 && p.y() < 1e-4)
@@ -214,7 +214,8 @@ TEST(Adaptive, puts_samples_on_sharp_edges)
     for (std::size_t i = 2; i + 1 < along.size(); ++i)
       EXPECT_GT(along[i] - along[i - 1], 0.25 * 0.5 * 0.054) << n;
   }
-  // fewer with noise: 175 to 228 for 12 such cubes; that of 0.001 is below 2 % of the spacing, not visible
+  // fewer with noise: 175 to 228 for 12 such cubes; that of 0.001 is below 2 % of the spacing, not
+  // visible
   for (double sigma : {0.001, 0.002})
     EXPECT_GT(on_edges(simplified(with_noise(cube(100000, 88), sigma, 89),
                                   np::number_of_output_points(3000)),
@@ -257,7 +258,8 @@ TEST(Adaptive, puts_one_sample_into_each_corner_of_an_open_surface)
   };
   // of 480 corners with other seeds, 7 to 10 are crowded
   check(0., 1., 35, 2);
-  // a sixth of the input's spacing, that far a corner is blurred: of 480, one has no sample within 1 spacing
+  // a sixth of the input's spacing, that far a corner is blurred: of 480, one has no sample within
+  // 1 spacing
   check(0.001, 1.2, 30, 5);
 }
 

@@ -142,8 +142,8 @@ TEST(Fit, is_reweighted_again_only_with_noise)
   EXPECT_NE(height(points, true, rounds_to_stay), height(points, true, rounds_to_move));
 }
 
-// Lines of a scan, ten times as far apart as the points on them: the 19 nearest of a place between two lines
-// are on these two, and tell nothing of the curvature across.
+// Lines of a scan, ten times as far apart as the points on them: the 19 nearest of a place between
+// two lines are on these two, and tell nothing of the curvature across.
 TEST(Fit, between_two_lines_of_a_scan_takes_more_of_them)
 {
   const double sigma = 0.01;
@@ -192,7 +192,8 @@ std::vector<Point> rings(int number, double distance, int points_on_ring)
   return points;
 }
 
-// Ten times as far apart as the points on them: the 19 nearest of a point are on its ring, and in the plane of that.
+// Ten times as far apart as the points on them: the 19 nearest of a point are on its ring, and in
+// the plane of that.
 TEST(Fit, on_one_line_of_a_scan_takes_more_of_them)
 {
   const std::vector<Point> points = rings(12, 0.1, 600);
@@ -211,7 +212,8 @@ TEST(Fit, on_one_line_of_a_scan_takes_more_of_them)
     }
 }
 
-// 67 times as far apart: a ring bends before the ball reaches the next, which then has little weight.
+// 67 times as far apart: a ring bends before the ball reaches the next, which then has little
+// weight.
 TEST(Fit, on_one_line_of_a_scan_that_bends_takes_more_of_them)
 {
   const std::vector<Point> points = rings(20, 0.21, 2000);
@@ -269,8 +271,8 @@ TEST(Line, that_bends_is_one)
   EXPECT_FALSE(is_on_bent_line(neighborhood, surface));
 }
 
-// A wire: no neighborhood is broad, and the narrowest is next to the point. Also where the most that are asked for are
-// half of a circle.
+// A wire: no neighborhood is broad, and the narrowest is next to the point. Also where the most
+// that are asked for are half of a circle.
 TEST(Fit, to_a_curve_takes_as_few_points_as_elsewhere)
 {
   for (int number : {500, 3000})
@@ -405,8 +407,8 @@ TEST(Neighborhood, in_a_ball_agrees_with_brute_force)
     EXPECT_LT(CGAL::squared_distance(found[i], expected[i]), 1e-28);
 }
 
-// The midpoint of two neighboring numbers is one of them: a split there leaves one side empty, and would
-// be made again and again.
+// The midpoint of two neighboring numbers is one of them: a split there leaves one side empty, and
+// would be made again and again.
 TEST(Neighborhood, is_found_where_no_number_is_between_the_coordinates)
 {
   std::vector<Point> points;

@@ -115,9 +115,9 @@ TEST(Surface_variation, of_a_cylinder)
 
 TEST(Surface_variation, of_the_apex_of_a_cone)
 {
-  // spiral lattice on the unrolled cone of opening angle 90 degrees. With the distance s to the apex,
-  // mean(s) = 2/3 and mean(s^2) = 1/2: variance (1/2 - 4/9) / 2 = 1/36 along the axis, and 1/2 / 2 =
-  // 1/4 across, hence kappa = 1/10.
+  // spiral lattice on the unrolled cone of opening angle 90 degrees. With the distance s to the
+  // apex, mean(s) = 2/3 and mean(s^2) = 1/2: variance (1/2 - 4/9) / 2 = 1/36 along the axis, and
+  // 1/2 / 2 = 1/4 across, hence kappa = 1/10.
   std::vector<Point> points = {Point(0., 0., 0.)};
   const std::size_t n = 10000;
   for (std::size_t i = 0; i < n; ++i)
@@ -294,7 +294,8 @@ TEST(Cloud, finds_duplicates_and_the_first_of_each)
     return result;
   };
 
-  // all equal, none equal, many equal on a lattice, zeros of both signs; against a search by brute force
+  // all equal, none equal, many equal on a lattice, zeros of both signs; against a search by brute
+  // force
   std::vector<Point> lattice, zeros;
   for (std::size_t i = 0; i < 1000; ++i)
     lattice.emplace_back(static_cast<double>(i * i % 17), static_cast<double>(i % 5),
@@ -625,7 +626,8 @@ TEST(Relaxation, of_one_sample_among_three_points_by_hand)
   const Attractors attractors{
       search, {weights.attraction(0.), weights.attraction(20.), weights.attraction(1.)}};
   const Vector attracted = attraction(attractors, Point(0, 0, 0), 4.).mean;
-  // (w1, w2, 2 w3) / (w1 + w2 + w3) with w1 = 0.1 / e, w2 = 1.42890365 / e, w3 = 0.67142857 / e^4 / 2
+  // (w1, w2, 2 w3) / (w1 + w2 + w3) with w1 = 0.1 / e, w2 = 1.42890365 / e, w3 = 0.67142857 / e^4 /
+  // 2
   EXPECT_NEAR(attracted.x(), 0.0646990443, 1e-6);
   EXPECT_NEAR(attracted.y(), 0.9244870086, 1e-6);
   EXPECT_NEAR(attracted.z(), 0.0216278943, 1e-6);

@@ -45,8 +45,8 @@ TEST(Noise_level, is_that_of_one_of_two_close_sheets)
   EXPECT_NEAR(noise_in_thickness({std::sqrt(3.), 1., 1., -8. / 9.}), 1. / std::sqrt(3.), 1e-15);
   EXPECT_EQ(noise_in_thickness({1., 1., 1., -2.}), 0.);
   EXPECT_EQ(noise_in_thickness({1., 1., 1., -0.6}), 1.); // of one sheet, cut off by a ball
-  // With noise of four spacings of the points, three sigma apart, neither is seen alone. The thickness
-  // of both together is 1.8 sigma.
+  // With noise of four spacings of the points, three sigma apart, neither is seen alone. The
+  // thickness of both together is 1.8 sigma.
   std::vector<Point> points;
   for (const Point& p : surfaces::square(40000, 8))
     points.emplace_back(p.x(), p.y(), points.size() % 2 == 0 ? 0.03 : -0.03);
@@ -104,7 +104,8 @@ TEST(Noise_level, of_a_thin_part_is_not_its_thickness)
 
 TEST(Noise_level, of_thin_parts_is_not_their_shape)
 {
-  // 64 rods with a radius of three times the noise: no layer is wide against its thickness, which grows with it
+  // 64 rods with a radius of three times the noise: no layer is wide against its thickness, which
+  // grows with it
   const double sigma = 0.01;
   std::vector<Point> points;
   for (const Point& p : surfaces::square(30000, 8))
@@ -160,9 +161,9 @@ TEST(Noise_level, of_a_thick_part_of_few_points_is_that_of_others)
 
 TEST(Noise_level, is_found_on_lines_of_a_scan)
 {
-  // Lines 1 apart, with noise of the range alone. With points 1/4 apart, the 7 nearest are on one line, and with
-  // 1/10 the 17 nearest: in the plane of its noise, which does not show there. With 1/8, the 8 nearest are, and some of
-  // the 17 on the next.
+  // Lines 1 apart, with noise of the range alone. With points 1/4 apart, the 7 nearest are on one
+  // line, and with 1/10 the 17 nearest: in the plane of its noise, which does not show there. With
+  // 1/8, the 8 nearest are, and some of the 17 on the next.
   for (const auto& [distance, sigma] :
        {std::make_pair(0.25, 0.05), std::make_pair(0.125, 0.04), std::make_pair(0.1, 0.03)})
   {
@@ -185,8 +186,8 @@ TEST(Noise_level, is_found_in_columns_of_points)
           make_cloud<Tag>(frames_of_a_scanner_at_rest(60, frames, sigma, 42), 1e-16);
       Noise_levels noise = measure_noise<Tag>(cloud.points, Neighbor_search(cloud.points, Tag()));
       const double unit = cloud.frame.length_to_frame(1.);
-      // Waves are oblique to the directions, and their noise is along these. Less is hidden by the shape of as many points as
-      // are needed to see it.
+      // Waves are oblique to the directions, and their noise is along these. Less is hidden by the
+      // shape of as many points as are needed to see it.
       if (sigma > 0.1)
       {
         EXPECT_NEAR(noise.median() / (sigma * unit), 0.7, 0.2) << frames;

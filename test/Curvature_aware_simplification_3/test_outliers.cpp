@@ -54,7 +54,8 @@ TEST(Outliers, are_not_on_sparse_parts_of_a_surface)
     }
 }
 
-// of a square plate, with a density that falls to a hundredth along it, and a rod at that end, as sparse
+// of a square plate, with a density that falls to a hundredth along it, and a rod at that end, as
+// sparse
 std::vector<Point> plate_with_sparse_rod(double radius, unsigned int seed)
 {
   CGAL::Random random(seed);
@@ -87,8 +88,8 @@ TEST(Outliers, are_not_on_thin_sparse_parts_of_a_surface)
     }
 }
 
-// of a helix of six turns, a tube with a radius of 0.1, with a density that falls by a factor along x, to where points are as
-// far from each other as the tube is wide
+// of a helix of six turns, a tube with a radius of 0.1, with a density that falls by a factor along
+// x, to where points are as far from each other as the tube is wide
 std::vector<Point> sparse_helix(double factor, unsigned int seed)
 {
   CGAL::Random random(seed);

@@ -99,8 +99,8 @@ TEST(Sampling_density, takes_the_mean_over_the_ball_by_area)
   EXPECT_NEAR(of_pairs[2], (5. + 3. * 10. + 10.) / 5., 1e-12); // 3, 4.1, 5
 }
 
-// Two halves of a plane, one with 10 times as many points. The density is even, as long as samples are no more
-// than 0.85 times as dense as the points of the sparse half, of which there are 4000.
+// Two halves of a plane, one with 10 times as many points. The density is even, as long as samples
+// are no more than 0.85 times as dense as the points of the sparse half, of which there are 4000.
 TEST(Sampling_density, is_even_where_samples_are_nearly_as_dense_as_points)
 {
   std::vector<Point> points;
@@ -234,7 +234,8 @@ TEST(Sampling_density, counts_borders_twice)
   EXPECT_LT(border / border_count / (inside / inside_count), 2.);
 }
 
-// Otherwise the density follows the rounding errors of the heights, which are larger far from the origin.
+// Otherwise the density follows the rounding errors of the heights, which are larger far from the
+// origin.
 TEST(Sampling_density, of_planes_and_lines_is_even)
 {
   const auto largest_over_smallest = [](const std::vector<Point>& points)

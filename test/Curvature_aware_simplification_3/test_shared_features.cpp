@@ -91,8 +91,8 @@ TEST(Shared_features, are_own_ones_next_to_edges_and_amid_noise)
   EXPECT_GT(own_noisy, 0.95 * static_cast<double>(noisy));
 }
 
-// Of thousands of outliers, some few happen to be on a plane. Were all of them taken for as flat as the one
-// in their middle, they would stay, and vote for each other.
+// Of thousands of outliers, some few happen to be on a plane. Were all of them taken for as flat as
+// the one in their middle, they would stay, and vote for each other.
 TEST(Shared_features, are_own_ones_far_from_most_points)
 {
   std::vector<Point> points = surfaces::square(20000, 87);

@@ -154,7 +154,8 @@ TEST(Thinning, leaves_a_sparse_place_beside_a_dense_one)
   EXPECT_NEAR(static_cast<double>(thinned.kept.size()), 256. + 3839. * 25. / 6400., 2.);
 }
 
-// A part that is 2000 times as dense as the rest was smoothed point by point, with 288 neighbors of each.
+// A part that is 2000 times as dense as the rest was smoothed point by point, with 288 neighbors of
+// each.
 TEST(Thinning, smooths_few_points_of_a_dense_part)
 {
   std::vector<Point> points = surfaces::square(3000, 76);
@@ -174,7 +175,8 @@ TEST(Thinning, smooths_few_points_of_a_dense_part)
   EXPECT_GT(result.points.size() - inside, 2900u);
 }
 
-// Balls of 4 sigma hold 2000 points, more than any fit takes. Of the 24 nearest, 0.38 sigma would be left.
+// Balls of 4 sigma hold 2000 points, more than any fit takes. Of the 24 nearest, 0.38 sigma would
+// be left.
 TEST(Smoothing, leaves_little_noise_where_points_are_dense_against_it)
 {
   const double sigma = 0.02;
@@ -223,8 +225,8 @@ TEST(Smoothing, leaves_alone_what_noise_does_not_explain)
 
 TEST(Smoothing, takes_what_residuals_show_beyond_the_noise_for_shape)
 {
-  // Heights of +-0.03 in turn, of which a quadric explains nothing: the variance of n residuals is theirs,
-  // times n / (n - 6), and the center, a point at 5, has no say.
+  // Heights of +-0.03 in turn, of which a quadric explains nothing: the variance of n residuals is
+  // theirs, times n / (n - 6), and the center, a point at 5, has no say.
   Neighborhood neighborhood;
   neighborhood.neighbors.push_back({Vector(0., 0., 5.), 0., 1.});
   for (int i = 0; i < 12; ++i)

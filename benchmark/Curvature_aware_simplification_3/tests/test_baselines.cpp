@@ -364,8 +364,8 @@ void PrintTo(const Baseline& baseline, std::ostream* stream)
   *stream << baseline.name;
 }
 
-// 2000 of 20000 points: the torus has an output spacing h of 0.26 and the sphere of 0.085. Centroids
-// of a cell of that size, and medians, are off by up to h^2 / 2 with a curvature of 1.
+// 2000 of 20000 points: the torus has an output spacing h of 0.26 and the sphere of 0.085.
+// Centroids of a cell of that size, and medians, are off by up to h^2 / 2 with a curvature of 1.
 class All_baselines : public testing::TestWithParam<Baseline>
 {};
 

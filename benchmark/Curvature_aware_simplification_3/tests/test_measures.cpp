@@ -116,8 +116,8 @@ TEST(Degradations, do_what_they_say)
   }
   const Points rounded = degraded({Point(0., 0., 0.), Point(2., 3., 6.)}, "rounding:10", 1);
   EXPECT_LT(CGAL::squared_distance(rounded[1], Point(2.1, 2.8, 6.3)), 1e-28); // the diagonal is 7
-  // steps of a tenth of the diagonal 7 along (1, 2, 3) / sqrt(14), along which the second point is 26 / sqrt(14) = 6.95
-  // away: 10 steps are 0.05 more
+  // steps of a tenth of the diagonal 7 along (1, 2, 3) / sqrt(14), along which the second point is
+  // 26 / sqrt(14) = 6.95 away: 10 steps are 0.05 more
   const Points steps = degraded({Point(0., 0., 0.), Point(2., 3., 6.)}, "depth:10", 1);
   EXPECT_EQ(steps[0], Point(0., 0., 0.));
   EXPECT_NEAR(steps[1].x(), 2. + (7. - 26. / std::sqrt(14.)) / std::sqrt(14.), 1e-12);
@@ -235,8 +235,8 @@ Points blue_noise(const Points& candidates, double radius, std::size_t n)
 
 TEST(Regularity, ranks_blue_noise_jittered_and_random_points)
 {
-  // 30 x 30 points on the unit square and on a torus with 4 pi^2 3 of area, all with kappa = 0 or of
-  // the outer, middle and inner side
+  // 30 x 30 points on the unit square and on a torus with 4 pi^2 3 of area, all with kappa = 0 or
+  // of the outer, middle and inner side
   CGAL::Random random(9);
   const std::size_t n = 900;
   const auto plane = [](double u, double v) { return Point(u, v, 0.); };

@@ -75,8 +75,8 @@ inline Points with_outliers(const Points& points, double share, CGAL::Random& ra
   return result;
 }
 
-// A noise of 0.05 %, and `share` times the number of points more, in clusters of 5 to 59 normally distributed ones,
-// as matching photographs leaves in the air
+// A noise of 0.05 %, and `share` times the number of points more, in clusters of 5 to 59 normally
+// distributed ones, as matching photographs leaves in the air
 inline Points with_clusters(const Points& points, double share, CGAL::Random& random)
 {
   const CGAL::Bbox_3 box = CGAL::bbox_3(points.begin(), points.end());
@@ -133,8 +133,8 @@ inline Vector oblique_direction()
   return Vector(1., 2., 3.) / std::sqrt(14.);
 }
 
-// Only the points on planes that are `distance` apart, within 5 % of that: the lines of a scanner, which measures
-// points more densely along them than across
+// Only the points on planes that are `distance` apart, within 5 % of that: the lines of a scanner,
+// which measures points more densely along them than across
 inline Points with_scan_lines(const Points& points, double distance)
 {
   const double length = distance * diagonal(points);
@@ -172,7 +172,8 @@ inline Points with_rounded_depth(Points points, double step)
   return points;
 }
 
-// Each point ten times, as of a scanner at rest, with Gaussian noise of standard deviation `sigma` along its direction
+// Each point ten times, as of a scanner at rest, with Gaussian noise of standard deviation `sigma`
+// along its direction
 inline Points with_frames(const Points& points, double sigma, CGAL::Random& random)
 {
   const double length = sigma * diagonal(points);
@@ -194,9 +195,9 @@ inline Points with_shift(Points points, double distance, CGAL::Random& random)
   return points;
 }
 
-// By name: clean, noise:PERCENT, uneven_noise:PERCENT, outliers:PERCENT, clusters:PERCENT, density:FACTOR,
-// hole:PERCENT, duplicates:PERCENT, lines:PERCENT, rounding:PERCENT, depth:PERCENT, frames:PERCENT, shift:PERCENT, or
-// several of them one after the other, as in density:10+noise:0.2
+// By name: clean, noise:PERCENT, uneven_noise:PERCENT, outliers:PERCENT, clusters:PERCENT,
+// density:FACTOR, hole:PERCENT, duplicates:PERCENT, lines:PERCENT, rounding:PERCENT, depth:PERCENT,
+// frames:PERCENT, shift:PERCENT, or several of them one after the other, as in density:10+noise:0.2
 inline Points degraded(const Points& points, const std::string& degradation, unsigned int seed)
 {
   const std::size_t plus = degradation.find('+');

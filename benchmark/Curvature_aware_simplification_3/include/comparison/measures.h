@@ -50,8 +50,8 @@ inline std::vector<double> at_nearest(const Points& queries, const Points& point
   return result;
 }
 
-// How far the output stays from the border: for each point of the reference's border the distance to
-// the nearest output point, in output spacings
+// How far the output stays from the border: for each point of the reference's border the distance
+// to the nearest output point, in output spacings
 inline Distance_statistics border_distance(const Points& output, const Points& border,
                                            double spacing)
 {

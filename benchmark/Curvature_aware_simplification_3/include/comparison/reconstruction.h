@@ -17,9 +17,9 @@
 
 namespace comparison {
 
-// The mesh that a user gets from the points with CGAL's advancing front and its defaults. It depends on
-// addresses in memory: of the same 3000 points, meshes of two calls differed by two triangles, and the errors
-// by 0.05 % in the mean and 1.4 % in the 99th percentile.
+// The mesh that a user gets from the points with CGAL's advancing front and its defaults. It
+// depends on addresses in memory: of the same 3000 points, meshes of two calls differed by two
+// triangles, and the errors by 0.05 % in the mean and 1.4 % in the 99th percentile.
 inline Mesh reconstruct(const Points& points)
 {
   using Exact_predicates = CGAL::Exact_predicates_inexact_constructions_kernel;

@@ -62,12 +62,12 @@ struct Regularity
 // diagonal of the bounding box.
 //
 // To the letter, eq. 9 takes the nearest neighbor in the same bin of curvature, and averages the
-// variances of the bins, each with the same weight. A bin of high curvature holds a few points spread
-// over the whole model, whose nearest neighbor in the same bin may be anywhere: what varies is the
-// distance between features, and a handful of points outweighs all others. On Igea this gives 7e-4,
-// while the paper's figures for Armadillo are 2.7e-6 to 5.9e-6. Those are the square of a fifth of
-// the output spacing, as the distance to the nearest neighbor among all points varies. And the stated
-// purpose is "regularity in the homogeneous regions".
+// variances of the bins, each with the same weight. A bin of high curvature holds a few points
+// spread over the whole model, whose nearest neighbor in the same bin may be anywhere: what varies
+// is the distance between features, and a handful of points outweighs all others. On Igea this
+// gives 7e-4, while the paper's figures for Armadillo are 2.7e-6 to 5.9e-6. Those are the square of
+// a fifth of the output spacing, as the distance to the nearest neighbor among all points varies.
+// And the stated purpose is "regularity in the homogeneous regions".
 //
 // So here the neighbor is the nearest of all points; the bins only keep apart regions whose density
 // differs on purpose; and each counts by the number of its points, since the variance of a few
@@ -97,9 +97,9 @@ inline Regularity regularity(const Points& points, const std::vector<double>& sc
   return result;
 }
 
-// Coefficient of variation of the distance to the nearest neighbor over the local spacing, that of a
-// hexagonal lattice with the density of the 18 nearest neighbors: a measure of regularity that does
-// not mind a density that varies slowly. About 0.5 for random points, 0 for a lattice.
+// Coefficient of variation of the distance to the nearest neighbor over the local spacing, that of
+// a hexagonal lattice with the density of the 18 nearest neighbors: a measure of regularity that
+// does not mind a density that varies slowly. About 0.5 for random points, 0 for a lattice.
 inline double spacing_variation(const Points& points)
 {
   const std::size_t k = std::min<std::size_t>(18, points.size() - 1);

@@ -12,15 +12,16 @@ namespace CGAL {
 namespace Curvature_aware_simplification_3 {
 namespace internal {
 
-// What the adaptive method does beyond the paper, each idea with a switch or a constant, so that the
-// benchmark can tell what it is worth. Users never see them: nothing here depends on the input.
+// What the adaptive method does beyond the paper, each idea with a switch or a constant, so that
+// the benchmark can tell what it is worth. Users never see them: nothing here depends on the input.
 struct Adaptive_settings
 {
   // Steps that depth was rounded to are undone, instead of taken for faces.
   bool undo_rounding = true;
   // Outliers are removed.
   bool find_outliers = true;
-  // Sparse parts of a surface are none, even where all their points are thick and far from each other.
+  // Sparse parts of a surface are none, even where all their points are thick and far from each
+  // other.
   bool keep_sparse_surfaces = true;
   // Isolated clusters are outliers as well.
   bool find_clusters = true;
@@ -32,53 +33,55 @@ struct Adaptive_settings
   bool noise_by_place = true;
   // Where layers are as thick as wide, two sheets are told from one.
   bool tell_two_sheets = true;
-  // Noise is no more than is told by layers that are thick by their shape, as those of thin parts are.
+  // Noise is no more than is told by layers that are thick by their shape, as those of thin parts
+  // are.
   bool limit_noise_by_shape = true;
   // Noise is what fits of quadrics and of planes both show; without, quadrics alone.
   bool noise_around_planes = true;
 
   // With noise, points are first smoothed one by one.
   bool smooth_points = true;
-  // Residuals of up to so many times the variance of the noise are taken for noise. More are shape, and
-  // points are smoothed less. The variance of 24 residuals scatters by a half: by their weights they count
-  // as 13, of which 6 are used up. From 2 to 3, the error near the edges of a cube is the same within 3 %.
-  // With 2, sharp edges of CAD parts gain more, but of two scans that do not fit together, more remains of
-  // the distance between them.
+  // Residuals of up to so many times the variance of the noise are taken for noise. More are shape,
+  // and points are smoothed less. The variance of 24 residuals scatters by a half: by their weights
+  // they count as 13, of which 6 are used up. From 2 to 3, the error near the edges of a cube is
+  // the same within 3 %. With 2, sharp edges of CAD parts gain more, but of two scans that do not
+  // fit together, more remains of the distance between them.
   double residuals_explained_by_noise = 2.5;
 
-  // Radius of the balls in which curvature is measured for the density, in output spacings. Balls of
-  // that size also see the other side of a part that is thinner, and make it dense.
+  // Radius of the balls in which curvature is measured for the density, in output spacings. Balls
+  // of that size also see the other side of a part that is thinner, and make it dense.
   double curvature_radius = 1.5;
   // Curvature is bounded from below by half of its mean: flat parts keep 0.5^(2/3) = 0.63 of the
   // mean density, hence 1.26 times the spacing. Thin flat parts need a spacing below their
   // thickness, and reconstruction wants spacings that vary slowly: with 0.2, a plate of 1.5 % of
   // the diagonal was lost.
   double least_curvature = 0.5;
-  // The curvature that counts is the mean over such a ball. Without that, the mean error of clean scans is 1.5 %
-  // larger, that of a box with rounded edges 6 %, and 16 % at 1 % of the points. With twice the area, there is no
-  // more to gain.
+  // The curvature that counts is the mean over such a ball. Without that, the mean error of clean
+  // scans is 1.5 % larger, that of a box with rounded edges 6 %, and 16 % at 1 % of the points.
+  // With twice the area, there is no more to gain.
   bool average_curvature = true;
-  // Samples are at most half as dense as the points, but where these are so sparse that not even a uniform
-  // density could be had like that: there, samples may be so dense against them. With 0.5, where density
-  // falls 10 : 1, the 99th percentile of the error is 6 % larger; with 1 it is as with 0.85, and samples are
-  // farther from the surface.
+  // Samples are at most half as dense as the points, but where these are so sparse that not even a
+  // uniform density could be had like that: there, samples may be so dense against them. With 0.5,
+  // where density falls 10 : 1, the 99th percentile of the error is 6 % larger; with 1 it is as
+  // with 0.85, and samples are farther from the surface.
   double densest_in_sparse_regions = 0.85;
 
-  // How far samples repel each other, in spacings. With 1.22, theta is about that of the paper for h of
-  // 2 spacings, which knows only the nearest neighbor, and is slow to even out.
+  // How far samples repel each other, in spacings. With 1.22, theta is about that of the paper for
+  // h of 2 spacings, which knows only the nearest neighbor, and is slow to even out.
   double reach_of_repulsion = 2.;
-  // Heights over the tangent plane count so much more in rho^2, so that the two sides of a thin part
-  // hardly see each other.
+  // Heights over the tangent plane count so much more in rho^2, so that the two sides of a thin
+  // part hardly see each other.
   double weight_of_height = 4.;
   // The sum of the weights of the neighbors counts as this at least, about what it is in a lattice.
   double least_weight_of_neighbors = 1.;
-  // In an iteration, samples move in so many turns, each away from where the others have moved before, as
-  // in a Gauss-Seidel method: where all moved at once, two neighbors would both leave a place for the
-  // same gap. Two turns gain less, eight no more.
+  // In an iteration, samples move in so many turns, each away from where the others have moved
+  // before, as in a Gauss-Seidel method: where all moved at once, two neighbors would both leave a
+  // place for the same gap. Two turns gain less, eight no more.
   std::size_t turns = 4;
   // The first steps of the relaxation are so many times as long as later ones, and what is between
-  // shrinks evenly: long steps carry samples to where they are wanted, short ones let them settle. With
-  // 2 or 3, the mean error is the same to 1 %; with steps that stay long, samples never settle.
+  // shrinks evenly: long steps carry samples to where they are wanted, short ones let them settle.
+  // With 2 or 3, the mean error is the same to 1 %; with steps that stay long, samples never
+  // settle.
   double length_of_first_steps = 2.5;
   // Samples are not pushed across a border.
   bool keep_borders = true;
@@ -90,16 +93,17 @@ struct Adaptive_settings
   int moves_to_foot_point = 3;
   // With noise, each sample moves towards wider fits, as far as noise explains the difference.
   bool denoise = true;
-  // The most points of these wider fits: five doublings of the narrowest, when noise is down to sigma / 8.
-  // With half as many, the error with noise is 6 % larger (ablation).
+  // The most points of these wider fits: five doublings of the narrowest, when noise is down to
+  // sigma / 8. With half as many, the error with noise is 6 % larger (ablation).
   std::size_t points_of_widest_fit = 578;
-  // What narrower fits have missed of the shape, over what the next wider one misses beyond: 1 / (2^(3/2) -
-  // 1) if shape grows like the 3/2 power of the number of neighbors, as a cubic does. With 1, as if it grew
-  // like their number, the results are the same within 1 %. With 0, the steps to wider fits are those of a
-  // Wiener filter, which go too far where shape is fine: with noise, errors of heads and animals are 1 to 2 %
-  // larger, those of smooth parts 2 to 5 % smaller.
+  // What narrower fits have missed of the shape, over what the next wider one misses beyond: 1 /
+  // (2^(3/2) - 1) if shape grows like the 3/2 power of the number of neighbors, as a cubic does.
+  // With 1, as if it grew like their number, the results are the same within 1 %. With 0, the steps
+  // to wider fits are those of a Wiener filter, which go too far where shape is fine: with noise,
+  // errors of heads and animals are 1 to 2 % larger, those of smooth parts 2 to 5 % smaller.
   double missed_shape = 0.547;
-  // Without noise and outliers, points of the input are on the surface, and correct fits that miss them.
+  // Without noise and outliers, points of the input are on the surface, and correct fits that miss
+  // them.
   bool correct_by_points = true;
   // Samples next to a sharp edge are moved onto it.
   bool move_to_edges = true;

@@ -45,8 +45,8 @@ struct Cloud
   std::size_t input_size() const { return points.size() + duplicates.size(); }
 };
 
-// Of each input point: its distinct point. O(n), but by jumps through memory, so that only those ask who
-// must know.
+// Of each input point: its distinct point. O(n), but by jumps through memory, so that only those
+// ask who must know.
 template <typename ConcurrencyTag>
 std::vector<std::size_t> distinct_indices(const Cloud& cloud)
 {
@@ -60,9 +60,10 @@ std::vector<std::size_t> distinct_indices(const Cloud& cloud)
   return result;
 }
 
-// Sorts points with their positions in the input: sorting positions alone would jump through memory with
-// each comparison. Points that agree in the coordinate compared are told apart by the next ones, so that
-// the order along the curve does not depend on that of the input. A model of CGAL's SpatialSortingTraits_3.
+// Sorts points with their positions in the input: sorting positions alone would jump through memory
+// with each comparison. Points that agree in the coordinate compared are told apart by the next
+// ones, so that the order along the curve does not depend on that of the input. A model of CGAL's
+// SpatialSortingTraits_3.
 struct Sort_traits
 {
   struct Point_3

@@ -16,8 +16,8 @@ namespace CGAL {
 namespace Curvature_aware_simplification_3 {
 namespace internal {
 
-// The sums that the covariance matrix of weighted points consists of. Points are given relative to one
-// near them: differences of neighbors are small, their coordinates are not.
+// The sums that the covariance matrix of weighted points consists of. Points are given relative to
+// one near them: differences of neighbors are small, their coordinates are not.
 struct Covariance_sums
 {
   double weight = 0.;

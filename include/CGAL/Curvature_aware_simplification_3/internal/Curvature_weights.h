@@ -12,8 +12,8 @@ namespace CGAL {
 namespace Curvature_aware_simplification_3 {
 namespace internal {
 
-// The curvature-aware weights of the two energies (paper, sec. 4.2). They take the surface variation
-// scaled to [0, 20], the range for which Meyer et al. (2005) suggested r and v.
+// The curvature-aware weights of the two energies (paper, sec. 4.2). They take the surface
+// variation scaled to [0, 20], the range for which Meyer et al. (2005) suggested r and v.
 class Curvature_weights
 {
 public:

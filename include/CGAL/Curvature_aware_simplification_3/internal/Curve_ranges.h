@@ -12,8 +12,8 @@ namespace CGAL {
 namespace Curvature_aware_simplification_3 {
 namespace internal {
 
-// The points along the Hilbert curve in ranges of equally many, up to one: compact parts of the surface,
-// each with measures of its own. There is at least one range, and fewer than 2^32.
+// The points along the Hilbert curve in ranges of equally many, up to one: compact parts of the
+// surface, each with measures of its own. There is at least one range, and fewer than 2^32.
 struct Curve_ranges
 {
   std::size_t number;
@@ -34,8 +34,8 @@ struct Curve_ranges
     return range;
   }
 
-  // The least point of a range, range * number_of_points / number rounded up; that of the number of ranges is the
-  // number of points.
+  // The least point of a range, range * number_of_points / number rounded up; that of the number of
+  // ranges is the number of points.
   std::size_t first_point(std::size_t range) const
   {
     const std::size_t quotient = number_of_points / number, rest = number_of_points % number;

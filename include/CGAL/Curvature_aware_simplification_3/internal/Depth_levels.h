@@ -23,8 +23,8 @@ namespace CGAL {
 namespace Curvature_aware_simplification_3 {
 namespace internal {
 
-// Parallel planes that hold all points, as where depth was rounded to steps: their heights along a direction, in
-// increasing order
+// Parallel planes that hold all points, as where depth was rounded to steps: their heights along a
+// direction, in increasing order
 struct Depth_levels
 {
   Vector direction = NULL_VECTOR;
@@ -63,8 +63,9 @@ struct Depth_levels
   }
 };
 
-// Steps that are much larger than those around are no rounding: there, the depth jumps from one part to another.
-// Steps may be that different if depth was rounded twice, as to the steps of a sensor and to millimeters.
+// Steps that are much larger than those around are no rounding: there, the depth jumps from one
+// part to another. Steps may be that different if depth was rounded twice, as to the steps of a
+// sensor and to millimeters.
 inline std::vector<double> gaps_without_jumps(const std::vector<double>& heights)
 {
   constexpr std::size_t gaps_around = 8; // on either side: a sensor's steps grow with the depth
@@ -84,9 +85,9 @@ inline std::vector<double> gaps_without_jumps(const std::vector<double>& heights
   return result;
 }
 
-// The levels along a direction that hold several points each. Empty where they hold too few of all, or are too
-// few: then, they may be faces of a part. Smooth surfaces, however dense, are one level at most, since then
-// the heights of all points follow each other closely.
+// The levels along a direction that hold several points each. Empty where they hold too few of all,
+// or are too few: then, they may be faces of a part. Smooth surfaces, however dense, are one level
+// at most, since then the heights of all points follow each other closely.
 template <typename ConcurrencyTag>
 Depth_levels levels_along(const Vector& direction, double tolerance,
                           const std::vector<Point>& points)

@@ -17,8 +17,8 @@ namespace CGAL {
 namespace Curvature_aware_simplification_3 {
 namespace internal {
 
-// The distinct positions of the selected points, along the Hilbert curve of the cloud, so that samples
-// that are neighbors in space are neighbors in memory
+// The distinct positions of the selected points, along the Hilbert curve of the cloud, so that
+// samples that are neighbors in space are neighbors in memory
 struct Distinct_samples
 {
   std::vector<Point> points;

@@ -16,10 +16,10 @@ namespace CGAL {
 namespace Curvature_aware_simplification_3 {
 namespace internal {
 
-// The coordinate frame of the computation: most of the points are around the origin, and the diagonal of
-// the bounding box has a length in [0.5, 1). So squares neither overflow nor underflow for any unit, and
-// coordinates far from the origin, as in UTM, lose no digits in differences and products. The scale is a
-// power of two, hence exact.
+// The coordinate frame of the computation: most of the points are around the origin, and the
+// diagonal of the bounding box has a length in [0.5, 1). So squares neither overflow nor underflow
+// for any unit, and coordinates far from the origin, as in UTM, lose no digits in differences and
+// products. The scale is a power of two, hence exact.
 class Frame
 {
 public:

@@ -21,9 +21,10 @@ namespace CGAL {
 namespace Curvature_aware_simplification_3 {
 namespace internal {
 
-// Whether points are as wide as a surface: those on one line of a scan, whose lines are farther apart than the points
-// on them, tell neither a plane nor a quadric, and with noise along a ray of the scanner, they are in a plane across
-// the surface. The width over the length is 0.6 for random points.
+// Whether points are as wide as a surface: those on one line of a scan, whose lines are farther
+// apart than the points on them, tell neither a plane nor a quadric, and with noise along a ray of
+// the scanner, they are in a plane across the surface. The width over the length is 0.6 for random
+// points.
 inline bool are_broad(double width, double length)
 {
   constexpr double broad_enough = 1. / 3.;
@@ -41,9 +42,9 @@ struct Layer
   bool is_broad() const { return are_broad(width, length); }
 };
 
-// The thickness from a sum of squared residuals of n points over a fitted surface, such that of Gaussian
-// noise, half of the fits show more and half less: the median of chi^2 with d degrees of freedom is about
-// d (1 - 2 / (9 d))^3 (Wilson and Hilferty 1931).
+// The thickness from a sum of squared residuals of n points over a fitted surface, such that of
+// Gaussian noise, half of the fits show more and half less: the median of chi^2 with d degrees of
+// freedom is about d (1 - 2 / (9 d))^3 (Wilson and Hilferty 1931).
 inline double thickness(double sum_of_squares, std::size_t n, double number_of_coefficients)
 {
   const double d = (std::max)(static_cast<double>(n) - number_of_coefficients, 1.);

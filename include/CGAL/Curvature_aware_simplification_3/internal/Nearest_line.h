@@ -25,8 +25,8 @@ struct Nearest_line
   Vector direction = NULL_VECTOR;
   double width = 0.; // of the points across it, over their length
 
-  // Whether they are on it: a line of a scan, or a column of points one above the other. The width is 0.5 for
-  // random points, and 0.1 for the vertices of long triangles.
+  // Whether they are on it: a line of a scan, or a column of points one above the other. The width
+  // is 0.5 for random points, and 0.1 for the vertices of long triangles.
   bool holds_them() const { return width < 0.05; }
 };
 

@@ -34,10 +34,10 @@ using Computation_kernel = Simple_cartesian<double>;
 using Point = Computation_kernel::Point_3;
 using Vector = Computation_kernel::Vector_3;
 
-// The nearest points, and the points in a ball, of a vector of points, which the search copies with their
-// indices: in the order of the tree, they are at hand for what is done with neighbors, and take no more
-// memory than indices and CGAL's cache of coordinates (72 bytes instead of 48 while it is built). Neighbors
-// are handed to a functor and never stored: its arguments end with the call.
+// The nearest points, and the points in a ball, of a vector of points, which the search copies with
+// their indices: in the order of the tree, they are at hand for what is done with neighbors, and
+// take no more memory than indices and CGAL's cache of coordinates (72 bytes instead of 48 while it
+// is built). Neighbors are handed to a functor and never stored: its arguments end with the call.
 class Neighbor_search
 {
 public:
@@ -52,8 +52,8 @@ public:
     m_tree.template build<ConcurrencyTag>();
   }
 
-  // From now on, points with is_hidden[index] != 0 are no neighbors. As long as they are few, that takes less
-  // time than a new tree.
+  // From now on, points with is_hidden[index] != 0 are no neighbors. As long as they are few, that
+  // takes less time than a new tree.
   void hide(std::vector<std::uint8_t> is_hidden)
   {
     CGAL_precondition(is_hidden.size() == m_tree.size());
@@ -65,8 +65,8 @@ public:
   template <typename Function>
   void for_each_nearest(const Point& query, std::size_t k, const Function& function) const
   {
-    // If there are hidden points among them, twice as many more are asked for, so that few rounds do in the
-    // midst of many. These come in order, and the first k count.
+    // If there are hidden points among them, twice as many more are asked for, so that few rounds
+    // do in the midst of many. These come in order, and the first k count.
     for (std::size_t wanted = k;;)
     {
       const K_neighbor_search search(m_tree, query, static_cast<unsigned int>(wanted), 0., true,
@@ -88,7 +88,8 @@ public:
     }
   }
 
-  // function(index, point, squared distance) for all points in the closed ball, in no particular order
+  // function(index, point, squared distance) for all points in the closed ball, in no particular
+  // order
   template <typename Function>
   void for_each_within(const Point& center, double radius, const Function& function) const
   {
@@ -108,9 +109,10 @@ private:
   using Base_traits = Search_traits_3<Computation_kernel>;
   using Traits = Search_traits_adapter<Point_with_index, Point_map, Base_traits>;
 
-  // Halves the bounding box of the points and not the cell that they are in, as Sliding_midpoint does: a
-  // surface leaves most of a cell empty, and a whole call takes 3 % less. Like that one, and unlike its
-  // base, it lets no side be empty, which happens if the two ends have no number between them.
+  // Halves the bounding box of the points and not the cell that they are in, as Sliding_midpoint
+  // does: a surface leaves most of a cell empty, and a whole call takes 3 % less. Like that one,
+  // and unlike its base, it lets no side be empty, which happens if the two ends have no number
+  // between them.
   struct Splitter : Midpoint_of_max_spread<Traits>
   {
     using Base = Midpoint_of_max_spread<Traits>;
@@ -138,10 +140,10 @@ private:
     }
   };
 
-  // A closed ball, a model of CGAL's FuzzyQueryItem. Fuzzy_sphere comes with loops over any number of
-  // coordinates that may stop early, and tells which cells are inside as a whole, where points need not be
-  // tested; but their distances are wanted anyway. A whole call with the settings of the paper takes 14 %
-  // less, one with noise 4 %.
+  // A closed ball, a model of CGAL's FuzzyQueryItem. Fuzzy_sphere comes with loops over any number
+  // of coordinates that may stop early, and tells which cells are inside as a whole, where points
+  // need not be tested; but their distances are wanted anyway. A whole call with the settings of
+  // the paper takes 14 % less, one with noise 4 %.
   struct Ball
   {
     Point center;
@@ -170,8 +172,8 @@ private:
     }
   };
 
-  // With 24 instead of CGAL's 10, the tree is built in three quarters of the time, and searches take as
-  // long or up to a tenth less; with 32 they are no faster.
+  // With 24 instead of CGAL's 10, the tree is built in three quarters of the time, and searches
+  // take as long or up to a tenth less; with 32 they are no faster.
   static constexpr unsigned int points_in_leaf = 24;
 
   using Tree = Kd_tree<Traits, Splitter>;

@@ -22,8 +22,8 @@ namespace internal {
 struct Noise
 {
   double level = 0.; // standard deviation sigma of their distance to the surface
-  // That of independent noise with which a fit to many points would err as much: larger if they share their
-  // noise, as smoothed points do
+  // That of independent noise with which a fit to many points would err as much: larger if they
+  // share their noise, as smoothed points do
   double independent_level = 0.;
   // Of balls that hold several columns of points, where points are one above the other; otherwise 0
   double radius_of_columns = 0.;
@@ -32,8 +32,8 @@ struct Noise
   double visible_error = 0.; // of a fit, above which it is visible there
 };
 
-// The noise of all points. It grows with the distance from a scanner, and differs from scan to scan and
-// from material to material: each range of the Hilbert curve has its own.
+// The noise of all points. It grows with the distance from a scanner, and differs from scan to scan
+// and from material to material: each range of the Hilbert curve has its own.
 struct Noise_levels
 {
   std::vector<Noise> of_range;
@@ -72,8 +72,8 @@ struct Noise_levels
     return internal::median(levels);
   }
 
-  // Smoothing takes the points in a ball with a radius of 4 sigma. So that this ball holds several columns, where there
-  // are any, noise counts as a quarter of their radius at least.
+  // Smoothing takes the points in a ball with a radius of 4 sigma. So that this ball holds several
+  // columns, where there are any, noise counts as a quarter of their radius at least.
   void widen_to_columns()
   {
     for (Noise& noise : of_range)

@@ -22,8 +22,8 @@ namespace CGAL {
 namespace Curvature_aware_simplification_3 {
 namespace internal {
 
-// Points at which noise is measured, evenly along the Hilbert curve. Each range of the curve has a median
-// over those of them that are nearest to its middle.
+// Points at which noise is measured, evenly along the Hilbert curve. Each range of the curve has a
+// median over those of them that are nearest to its middle.
 struct Noise_probes
 {
   std::vector<Point> points;
@@ -40,7 +40,8 @@ inline std::vector<std::size_t> all_ranges(const Noise_probes& probes)
 template <typename ConcurrencyTag>
 Noise_probes noise_probes(const std::vector<Point>& points)
 {
-  // 64 values give a median to about 8 % of the noise, and 512 probes take 2 % of the time of a call.
+  // 64 values give a median to about 8 % of the noise, and 512 probes take 2 % of the time of a
+  // call.
   constexpr std::size_t most = 512, in_range = 8, in_median = 64;
 
   Noise_probes probes;
@@ -89,8 +90,8 @@ auto at_probes(const Noise_probes& probes, const std::vector<std::size_t>& range
   return values;
 }
 
-// The median layers of k points, of some ranges; those of others are left empty. `layer_around(search, place,
-// k)` is the layer at a probe.
+// The median layers of k points, of some ranges; those of others are left empty.
+// `layer_around(search, place, k)` is the layer at a probe.
 template <typename ConcurrencyTag, typename Layer_around>
 std::vector<Layer> median_layers(const Noise_probes& probes, const std::vector<std::size_t>& ranges,
                                  const Neighbor_search& search, std::size_t k,

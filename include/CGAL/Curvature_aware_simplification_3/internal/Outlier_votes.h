@@ -29,10 +29,11 @@ namespace CGAL {
 namespace Curvature_aware_simplification_3 {
 namespace internal {
 
-// Whether point i is off the plane of those of its k nearest points that are no outliers, by more than a part of the radius
-// of the neighborhood: less is no outlier that matters. A border or an end of a surface is not, though it has few votes.
-// With 0.1, 0.2, 0.3 and 0.4, of the points of a surface that are lost without this, 0.42, 0.22, 0.12 and 0.05 still are
-// (5 % outliers), and up to 1.5 % more outliers are missed.
+// Whether point i is off the plane of those of its k nearest points that are no outliers, by more
+// than a part of the radius of the neighborhood: less is no outlier that matters. A border or an
+// end of a surface is not, though it has few votes. With 0.1, 0.2, 0.3 and 0.4, of the points of a
+// surface that are lost without this, 0.42, 0.22, 0.12 and 0.05 still are (5 % outliers), and up to
+// 1.5 % more outliers are missed.
 inline bool is_off_plane_of_neighbors(const Cloud& cloud, const Neighbor_search& search,
                                       std::size_t k, const std::vector<std::uint8_t>& is_outlier,
                                       std::size_t i)
@@ -51,8 +52,8 @@ inline bool is_off_plane_of_neighbors(const Cloud& cloud, const Neighbor_search&
          std::abs(sums.mean() * principal_axis(sums, 0)) >= far_off * std::sqrt(squared_radius);
 }
 
-// The votes of the points that are not marked as outliers, and what they tell of others. A vote counts for several points
-// where these share their features.
+// The votes of the points that are not marked as outliers, and what they tell of others. A vote
+// counts for several points where these share their features.
 class Outlier_votes
 {
 public:
@@ -77,8 +78,8 @@ public:
     });
   }
 
-  // Marks points with few votes, and returns them. Those that lost votes are in a volume if what is around looks like
-  // that, too: a thin part among outliers does not.
+  // Marks points with few votes, and returns them. Those that lost votes are in a volume if what is
+  // around looks like that, too: a thin part among outliers does not.
   template <typename ConcurrencyTag>
   std::vector<std::size_t> mark_few(const ConcurrencyTag& tag)
   {
@@ -92,9 +93,9 @@ public:
                 tag);
   }
 
-  // Marks those with less than half of k, and returns them. A border has little more than half: asked again and again,
-  // border after border would go. Of points that are not sparse, only those off the surface are marked: among sparse
-  // ones, it may be outliers that are in a plane.
+  // Marks those with less than half of k, and returns them. A border has little more than half:
+  // asked again and again, border after border would go. Of points that are not sparse, only those
+  // off the surface are marked: among sparse ones, it may be outliers that are in a plane.
   template <typename ConcurrencyTag>
   std::vector<std::size_t> mark_less_than_half(const ConcurrencyTag& tag)
   {
@@ -107,7 +108,8 @@ public:
                 tag);
   }
 
-  // Points that were marked take their votes back, which uncovers others with few votes, until there are no more.
+  // Points that were marked take their votes back, which uncovers others with few votes, until
+  // there are no more.
   template <typename ConcurrencyTag>
   void take_back(std::vector<std::size_t> marked, const ConcurrencyTag& tag)
   {
@@ -129,9 +131,10 @@ public:
 private:
   std::size_t votes(std::size_t i) const { return m_votes[i].load(std::memory_order_relaxed); }
 
-  // A quarter of k: a corner of an open surface, the least that a surface has, gets a half. In a volume, two thirds of
-  // those that a point had at first: with less, much of what is around it are outliers. With half, a ninth of them
-  // remains, in groups that vote for each other. A sparse region of a surface has no outliers to lose.
+  // A quarter of k: a corner of an open surface, the least that a surface has, gets a half. In a
+  // volume, two thirds of those that a point had at first: with less, much of what is around it are
+  // outliers. With half, a ninth of them remains, in groups that vote for each other. A sparse
+  // region of a surface has no outliers to lose.
   std::size_t few_votes(std::size_t i) const
   {
     return is_thick_and_sparse(m_shared.features, i, least_curvature_of_volumes, m_rather_sparse)
@@ -139,9 +142,9 @@ private:
                : m_quarter;
   }
 
-  // Marks those that have less votes than needed_votes(i) and pass the test, and returns them. A vote that counts for
-  // several points makes the number uncertain: those with few are asked how many of their neighbors would vote for
-  // them, were these asked one by one.
+  // Marks those that have less votes than needed_votes(i) and pass the test, and returns them. A
+  // vote that counts for several points makes the number uncertain: those with few are asked how
+  // many of their neighbors would vote for them, were these asked one by one.
   template <typename NeededVotes, typename Test, typename ConcurrencyTag>
   std::vector<std::size_t> mark(const NeededVotes& needed_votes, const Test& test,
                                 const ConcurrencyTag&)

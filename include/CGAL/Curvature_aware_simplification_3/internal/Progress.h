@@ -20,8 +20,8 @@ struct Cancelled
 //
 // `Point_set_processing_3::internal::Callback_wrapper` is not used here: in parallel it calls the
 // callback on a thread of its own, where an exception thrown by the callback ends the program. Here
-// the callback runs on the calling thread, between blocks of a loop, so that it may throw, draw to a
-// user interface, or access its own data without a lock.
+// the callback runs on the calling thread, between blocks of a loop, so that it may throw, draw to
+// a user interface, or access its own data without a lock.
 class Progress
 {
 public:

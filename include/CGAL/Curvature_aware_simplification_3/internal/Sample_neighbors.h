@@ -21,15 +21,16 @@ namespace CGAL {
 namespace Curvature_aware_simplification_3 {
 namespace internal {
 
-// The nearest other samples of each sample. They are kept while samples move little, as in the neighbor lists
-// of molecular dynamics: to search anew in each iteration would take most of its time.
+// The nearest other samples of each sample. They are kept while samples move little, as in the
+// neighbor lists of molecular dynamics: to search anew in each iteration would take most of its
+// time.
 class Sample_neighbors
 {
 public:
-  // 16 samples of a hexagonal lattice reach 2.1 spacings far, and theta is below 0.01 beyond 1.5, so that
-  // two samples may approach each other by 0.6 before they miss each other. Where two sheets share the
-  // list, it reaches 1.5 on each. With 12 to 24, ten iterations give the same within 1 %; but where the
-  // density changes, 12 or 14 end so near that samples never rest.
+  // 16 samples of a hexagonal lattice reach 2.1 spacings far, and theta is below 0.01 beyond 1.5,
+  // so that two samples may approach each other by 0.6 before they miss each other. Where two
+  // sheets share the list, it reaches 1.5 on each. With 12 to 24, ten iterations give the same
+  // within 1 %; but where the density changes, 12 or 14 end so near that samples never rest.
   static constexpr std::size_t most = 16;
 
   template <typename ConcurrencyTag>
@@ -50,7 +51,8 @@ public:
         if (j != i)
           found[number_found++] = {squared_distance, j};
       });
-      // where more than that many coincide, the sample may not be among its nearest: one is too many
+      // where more than that many coincide, the sample may not be among its nearest: one is too
+      // many
       if (number_found > m_number)
         std::swap(*std::max_element(found.begin(),
                                     found.begin() + static_cast<std::ptrdiff_t>(number_found)),

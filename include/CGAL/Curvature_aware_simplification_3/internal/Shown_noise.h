@@ -23,11 +23,12 @@ struct Shown_noise
   bool is_reliable = true;       // if not, another kind of fits counts, whatever it shows
 };
 
-// Standard deviation sigma of the noise, from layers of k and of 2 k points. Their thickness s holds noise
-// and shape. Noise is the same for all sizes, but what a quadric misses of the shape is not: on smooth
-// surfaces it grows with the cube of the radius, on scanned ones, which have details of all sizes, about with
-// its square (s_2k^2 is 2 to 7 times s_k^2 on clean shapes, 4 in the mean), and so does what a plane misses. So
-// s_k^2 = sigma^2 + c k^2, and two sizes tell the two apart: sigma^2 = (4 s_k^2 - s_2k^2) / 3.
+// Standard deviation sigma of the noise, from layers of k and of 2 k points. Their thickness s
+// holds noise and shape. Noise is the same for all sizes, but what a quadric misses of the shape is
+// not: on smooth surfaces it grows with the cube of the radius, on scanned ones, which have details
+// of all sizes, about with its square (s_2k^2 is 2 to 7 times s_k^2 on clean shapes, 4 in the
+// mean), and so does what a plane misses. So s_k^2 = sigma^2 + c k^2, and two sizes tell the two
+// apart: sigma^2 = (4 s_k^2 - s_2k^2) / 3.
 inline double noise_of_layers(const Layer& narrow, const Layer& wide)
 {
   return std::sqrt((std::max)(

@@ -21,8 +21,8 @@ namespace CGAL {
 namespace Curvature_aware_simplification_3 {
 namespace internal {
 
-// The pieces of the surface in a ball around each of some centers: as many as wanted, the nearest ones, in no
-// particular order
+// The pieces of the surface in a ball around each of some centers: as many as wanted, the nearest
+// ones, in no particular order
 class Surface_balls
 {
 public:

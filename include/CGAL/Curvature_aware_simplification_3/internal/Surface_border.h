@@ -70,8 +70,8 @@ inline Surface_border find_border(Neighborhood& neighborhood, const Local_surfac
     if (std::abs(a * border.y - b * border.x) < 0.5 * neighborhood.radius)
       border.limit = (std::max)(border.limit, a * border.x + b * border.y);
   }
-  // The last of random points is short of the end by the length that holds one point: 1 / (density x
-  // width), for k points in half a disk and a strip as wide as R: pi R / 2 k
+  // The last of random points is short of the end by the length that holds one point: 1 / (density
+  // x width), for k points in half a disk and a strip as wide as R: pi R / 2 k
   border.limit += 0.5 * CGAL_PI * neighborhood.radius / static_cast<double>(neighborhood.size());
   return border;
 }

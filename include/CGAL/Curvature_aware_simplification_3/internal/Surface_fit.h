@@ -39,12 +39,12 @@ inline constexpr std::size_t smallest_neighborhood = 19;
 inline constexpr std::size_t largest_neighborhood = 16 * 18 + 1;
 // Where a ball surely holds more than are taken, it does not matter how many more.
 inline constexpr double too_many_neighbors = 2. * largest_neighborhood;
-// In units of sigma. In a ball of that radius, the layer of noisy points looks flat; in a much smaller
-// one it looks as thick as wide and has no normal.
+// In units of sigma. In a ball of that radius, the layer of noisy points looks flat; in a much
+// smaller one it looks as thick as wide and has no normal.
 inline constexpr double smallest_radius_in_noise = 7.;
 
-// Collects the neighbors of x that a fit needs: `smallest` nearest, or all in the ball that noise asks
-// for. `expected_neighbors` is about how many points are in that ball, or 0 if not known.
+// Collects the neighbors of x that a fit needs: `smallest` nearest, or all in the ball that noise
+// asks for. `expected_neighbors` is about how many points are in that ball, or 0 if not known.
 inline void collect_neighbors(const Surface_fit& fit, const Point& x, std::size_t smallest,
                               double wanted_radius, std::size_t expected_neighbors,
                               Neighborhood& neighborhood)

@@ -37,14 +37,16 @@ struct Surface_sample
     normal = surface.normal(a, b);
   }
 
-  // Fits the surface around x in so many rounds, and puts the sample on it. In a gap of the input, where
-  // that is no more than a guess, it goes back to the nearest point of the input. Returns the point of
-  // the input that is nearest to the sample. `x` and `guess` may be its own, which the first fit replaces.
+  // Fits the surface around x in so many rounds, and puts the sample on it. In a gap of the input,
+  // where that is no more than a guess, it goes back to the nearest point of the input. Returns the
+  // point of the input that is nearest to the sample. `x` and `guess` may be its own, which the
+  // first fit replaces.
   Point place(const Surface_fit& fit, Point x, Vector guess, int rounds)
   {
-    // A disk in which so many points are expected is a gap if there is none: three quarters of the radius for 19
-    // points, which is empty by chance once in 40,000 times. With half as many, the mean error of clean scans is the
-    // same to 1 %, with a third 1 % larger. With noise, points are off the surface as well.
+    // A disk in which so many points are expected is a gap if there is none: three quarters of the
+    // radius for 19 points, which is empty by chance once in 40,000 times. With half as many, the
+    // mean error of clean scans is the same to 1 %, with a third 1 % larger. With noise, points are
+    // off the surface as well.
     constexpr double points_in_gap = 0.75 * 0.75 * 19., heights_in_noise = 2.;
 
     static thread_local Neighborhood neighborhood;

@@ -15,8 +15,8 @@ namespace CGAL {
 namespace Curvature_aware_simplification_3 {
 namespace internal {
 
-// For what is written by all threads: who writes first to memory that is new to the process waits for it. A
-// std::vector writes zeros when it is made, on one thread.
+// For what is written by all threads: who writes first to memory that is new to the process waits
+// for it. A std::vector writes zeros when it is made, on one thread.
 template <typename T>
 using Uninitialized_vector = std::vector<T, boost::noinit_adaptor<std::allocator<T>>>;
 

@@ -29,8 +29,8 @@ inline double half_of_longest_side(const Bbox_3& box)
                      box.zmax() / 2. - box.zmin() / 2.});
 }
 
-// Twice the box of the middle of each coordinate, without a `share` of the points at each end, of the points with
-// the indices index(0), index(1), ..., index(number - 1). O(number)
+// Twice the box of the middle of each coordinate, without a `share` of the points at each end, of
+// the points with the indices index(0), index(1), ..., index(number - 1). O(number)
 template <typename Index>
 Bbox_3 twice_the_middle_box(const std::vector<Point>& points, double share, std::size_t number,
                             const Index& index)
@@ -87,8 +87,9 @@ inline bool is_difference_finite(const Bbox_3& box, const Bbox_3& most)
                               "each other");
 }
 
-// Throws if `box`, that of all points, is so large against a box of the points in the middle that in its unit, the squares
-// of their distances would underflow: what is so far away is no measurement, but stands for the lack of one.
+// Throws if `box`, that of all points, is so large against a box of the points in the middle that
+// in its unit, the squares of their distances would underflow: what is so far away is no
+// measurement, but stands for the lack of one.
 inline void check_that_all_are_measurements(const std::vector<Point>& points, const Bbox_3& box,
                                             const Bbox_3& middle)
 {
@@ -98,20 +99,23 @@ inline void check_that_all_are_measurements(const std::vector<Point>& points, co
     throw_point_too_far(points, middle);
 }
 
-// A box that holds most of the points, if that of all, `box`, is a hundred times as large: a few points
-// that are so far away would otherwise decide over the precision of all. `box` in all other cases.
+// A box that holds most of the points, if that of all, `box`, is a hundred times as large: a few
+// points that are so far away would otherwise decide over the precision of all. `box` in all other
+// cases.
 inline Bbox_3 box_of_most_points(const std::vector<Point>& points, const Bbox_3& box)
 {
-  // Two of the seven digits of a float, with which curvature is still known. Nearer points cost less.
+  // Two of the seven digits of a float, with which curvature is still known. Nearer points cost
+  // less.
   constexpr double few_digits = 100.;
   // One in twenty on each side is what may be far; of most shapes, twice the rest holds all.
   constexpr double few = 0.05;
   // Not every direction of a scanner comes back: nearly half of the points may be no measurements.
   constexpr double almost_half = 0.45;
-  // Some points tell that there are none, and save the time for all. To be independent of the order of the points,
-  // the answer must not depend on the choice of these: it is random, since the rows of a scan could keep step
-  // with a regular one, and where twice as many are left out, one in twenty is not among the rest (seven
-  // standard deviations). If there are no more than that, all tell.
+  // Some points tell that there are none, and save the time for all. To be independent of the order
+  // of the points, the answer must not depend on the choice of these: it is random, since the rows
+  // of a scan could keep step with a regular one, and where twice as many are left out, one in
+  // twenty is not among the rest (seven standard deviations). If there are no more than that, all
+  // tell.
   constexpr std::size_t probes = 1000;
   constexpr double clearly_not_far = 10.;
 

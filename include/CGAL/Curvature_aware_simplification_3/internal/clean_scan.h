@@ -36,7 +36,8 @@ namespace CGAL {
 namespace Curvature_aware_simplification_3 {
 namespace internal {
 
-// What the stages that place samples see of the input: without outliers, and with less noise where it was visible
+// What the stages that place samples see of the input: without outliers, and with less noise where
+// it was visible
 struct Clean_scan
 {
   std::vector<Point> points; // along the Hilbert curve
@@ -63,8 +64,9 @@ Noise_levels noise_of_scan(const std::vector<Point>& points, const Neighbor_sear
   return noise;
 }
 
-// Measures what disturbs the input and takes it away, in this order: steps of the depth, outliers, noise. Takes what it
-// is given, and lets go of each part when it is not needed any more: the search tree is as large as all else.
+// Measures what disturbs the input and takes it away, in this order: steps of the depth, outliers,
+// noise. Takes what it is given, and lets go of each part when it is not needed any more: the
+// search tree is as large as all else.
 template <typename ConcurrencyTag, typename DiagonalizeTraits>
 Clean_scan clean_scan(Cloud cloud, std::unique_ptr<Neighbor_search> search,
                       const Parameters& parameters, const Adaptive_settings& settings,

@@ -24,19 +24,20 @@ namespace CGAL {
 namespace Curvature_aware_simplification_3 {
 namespace internal {
 
-// Of points that are taken for outliers because they are thick and sparse, thin parts that become sparse are connected to
-// where they are denser: what has points of the surface for half of its neighbors, which have it for theirs, is part of
-// it, though nothing around is flat.
+// Of points that are taken for outliers because they are thick and sparse, thin parts that become
+// sparse are connected to where they are denser: what has points of the surface for half of its
+// neighbors, which have it for theirs, is part of it, though nothing around is flat.
 
-// How many such neighbors a point needs. With a third of them, one outlier would follow the other where they are
-// dense. A quarter lets all of a tube that becomes sparse follow, where half leaves up to 5 % of its points.
+// How many such neighbors a point needs. With a third of them, one outlier would follow the other
+// where they are dense. A quarter lets all of a tube that becomes sparse follow, where half leaves
+// up to 5 % of its points.
 inline std::size_t needed_neighbors(std::size_t k, bool are_outliers_likely)
 {
   return are_outliers_likely ? (k + 1) / 2 : (k + 3) / 4;
 }
 
-// Of the far ones that are marked, those of whose k nearest `needed` are not and have them among their own. `neighbors`
-// counts these for all points that are far and marked.
+// Of the far ones that are marked, those of whose k nearest `needed` are not and have them among
+// their own. `neighbors` counts these for all points that are far and marked.
 template <typename ConcurrencyTag>
 std::vector<std::size_t>
 next_to_unmarked(const Cloud& cloud, const Neighbor_search& search, const Features& features,
@@ -64,10 +65,11 @@ next_to_unmarked(const Cloud& cloud, const Neighbor_search& search, const Featur
                                      far_ones);
 }
 
-// Unmarks those of the far ones of whose k nearest so many at least are not marked and have it among their own, those
-// next to these, and so on. An outlier over a surface is no neighbor of its points, and those farther off have no
-// others than outliers. But if outliers are likely, some may be too dense to be marked and connect others: those are left
-// that look like space. O(k + log n) for each far one, and for each one unmarked.
+// Unmarks those of the far ones of whose k nearest so many at least are not marked and have it
+// among their own, those next to these, and so on. An outlier over a surface is no neighbor of its
+// points, and those farther off have no others than outliers. But if outliers are likely, some may
+// be too dense to be marked and connect others: those are left that look like space. O(k + log n)
+// for each far one, and for each one unmarked.
 template <typename ConcurrencyTag>
 void unmark_connected(const Cloud& cloud, const Neighbor_search& search, const Features& features,
                       std::size_t k, bool are_outliers_likely,
@@ -75,7 +77,8 @@ void unmark_connected(const Cloud& cloud, const Neighbor_search& search, const F
                       std::vector<std::uint8_t>& is_outlier)
 {
   const std::size_t needed = needed_neighbors(k, are_outliers_likely);
-  // of those that are far and marked; others are never asked, as if they had more than enough already
+  // of those that are far and marked; others are never asked, as if they had more than enough
+  // already
   std::vector<std::atomic<std::uint32_t>> neighbors(cloud.size());
   for_each_index<ConcurrencyTag>(0, cloud.size(),
                                  [&](std::size_t i) {
@@ -92,7 +95,8 @@ void unmark_connected(const Cloud& cloud, const Neighbor_search& search, const F
           curvature_of_twice_the_radius(cloud, search, k, asked[a]) <= largest_curvature_of_parts)
         is_outlier[asked[a]] = 0;
     });
-    // Each is asked in the round in which it gets the last neighbor it needs; in which order does not matter.
+    // Each is asked in the round in which it gets the last neighbor it needs; in which order does
+    // not matter.
     std::vector<std::vector<std::size_t>> reached(asked.size());
     for_each_index<ConcurrencyTag>(0, asked.size(),
                                    [&](std::size_t a)

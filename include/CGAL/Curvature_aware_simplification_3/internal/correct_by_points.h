@@ -23,12 +23,13 @@ namespace CGAL {
 namespace Curvature_aware_simplification_3 {
 namespace internal {
 
-// Whether the fit of a sample misses `nearest`, a point that is known to be on the surface: it mixes the sides
-// of a part that is hardly thicker than the points are apart.
+// Whether the fit of a sample misses `nearest`, a point that is known to be on the surface: it
+// mixes the sides of a part that is hardly thicker than the points are apart.
 inline bool is_missed(const Surface_sample& x, const Point& nearest)
 {
-  // Of the radius of the fit, more than most points next to a fold of 90 degrees are off, 0.06. With 0.05,
-  // samples on both sides of sharp edges move as well, and errors at 1 % of the points are 2 % larger.
+  // Of the radius of the fit, more than most points next to a fold of 90 degrees are off, 0.06.
+  // With 0.05, samples on both sides of sharp edges move as well, and errors at 1 % of the points
+  // are 2 % larger.
   constexpr double largest_error = 0.1;
   return std::abs(x.surface.residual(nearest - x.surface.origin)) >
          largest_error * x.surface.radius;
@@ -45,8 +46,8 @@ double squared_distance_to_samples(const Point& p, const Neighbors& neighbors,
   return result;
 }
 
-// Of the points of the input around a sample that are not `taken`, the one that is farthest from the other
-// samples; the place of the sample itself if there is none
+// Of the points of the input around a sample that are not `taken`, the one that is farthest from
+// the other samples; the place of the sample itself if there is none
 template <typename Neighbors>
 Point point_in_largest_gap(const Surface_sample& x, const Neighbors& neighbors,
                            const std::vector<Surface_sample>& samples, const std::set<Point>& taken,
@@ -67,9 +68,10 @@ Point point_in_largest_gap(const Surface_sample& x, const Neighbors& neighbors,
   return result;
 }
 
-// Moves samples whose fits miss the points that are nearest to them there, if no other sample is at such a
-// point. Where several would move to it, the nearest of them does; the others, one after the other, fill gaps.
-// There are hardly more points than samples where that happens, so that each that is used twice leaves one out.
+// Moves samples whose fits miss the points that are nearest to them there, if no other sample is at
+// such a point. Where several would move to it, the nearest of them does; the others, one after the
+// other, fill gaps. There are hardly more points than samples where that happens, so that each that
+// is used twice leaves one out.
 template <typename ConcurrencyTag>
 void correct_by_points(std::vector<Surface_sample>& samples, const std::vector<Point>& nearest,
                        const Sample_neighbors& neighbors, const Surface_fit& fit)

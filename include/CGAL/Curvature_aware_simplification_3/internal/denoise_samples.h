@@ -19,14 +19,15 @@ namespace CGAL {
 namespace Curvature_aware_simplification_3 {
 namespace internal {
 
-// The part w of the step to a wider fit that has the least expected error, from the mean square q of such
-// steps and the variance v that noise gives them.
+// The part w of the step to a wider fit that has the least expected error, from the mean square q
+// of such steps and the variance v that noise gives them.
 //
-// Of nested least-squares fits z_0, z_1, ... the differences are uncorrelated with the wider one, and
-// noise gives z_m+1 - z_m the variance v_m = var_m - var_m+1. What q_m has beyond that is shape, which
-// the wider fit misses: s_m^2 = q_m - v_m. With a part w_m of the step, noise is down to
-// var_m+1 + (1 - w_m)^2 v_m, and shape is off by b_m + w_m s_m, where b_m is what the steps before have
-// missed, to the same side. The least sum of the first and the square of the second is at
+// Of nested least-squares fits z_0, z_1, ... the differences are uncorrelated with the wider one,
+// and noise gives z_m+1 - z_m the variance v_m = var_m - var_m+1. What q_m has beyond that is
+// shape, which the wider fit misses: s_m^2 = q_m - v_m. With a part w_m of the step, noise is down
+// to var_m+1 + (1 - w_m)^2 v_m, and shape is off by b_m + w_m s_m, where b_m is what the steps
+// before have missed, to the same side. The least sum of the first and the square of the second is
+// at
 //   w_m = (v_m - b_m s_m) / (v_m + s_m^2);
 // with b_m = 0, this is a Wiener filter. With b_m = c s_m, where c is `missed_shape`, it is
 //   w_m = (1 + c) v_m / q_m - c.
@@ -39,8 +40,8 @@ inline double part_of_step(double square, double variance, double missed_shape)
 
 // Moves each sample as far towards wider fits as noise explains that these differ:
 //   z = z_0 + sum_m w_m (z_m+1 - z_m).
-// One difference tells little, so the mean square is over the sample and its 32 nearest, where shape is
-// similar.
+// One difference tells little, so the mean square is over the sample and its 32 nearest, where
+// shape is similar.
 template <typename ConcurrencyTag>
 void denoise_samples(std::vector<Surface_sample>& samples, const Surface_fit& fit,
                      const Progress& progress)

@@ -42,8 +42,8 @@ void sort(std::vector<T>& values)
   std::sort(values.begin(), values.end());
 }
 
-// Which values occurred, and which of them more than once: two bits each. Threads may add values at the
-// same time, and what is found does not depend on their order.
+// Which values occurred, and which of them more than once: two bits each. Threads may add values at
+// the same time, and what is found does not depend on their order.
 class Repeated_values
 {
 public:
@@ -68,15 +68,17 @@ private:
   std::vector<std::atomic<std::uint64_t>> m_words;
 };
 
-// The positions of all points that have an equal, and of few others, in increasing order: of those whose
-// hash value is that of another point. Which these are does not depend on the order of the threads. O(n)
+// The positions of all points that have an equal, and of few others, in increasing order: of those
+// whose hash value is that of another point. Which these are does not depend on the order of the
+// threads. O(n)
 template <typename ConcurrencyTag>
 std::vector<std::size_t> points_with_equal_hash(const std::vector<Point>& points)
 {
   // So many for each point: one point in 16 shares its own by chance.
   constexpr std::size_t hash_values = 16;
-  // The values of millions of points do not fit into caches. A thread waits for each atomic write, but has
-  // many reads under way: all of a batch come before the first write. That halves the time for 10 million.
+  // The values of millions of points do not fit into caches. A thread waits for each atomic write,
+  // but has many reads under way: all of a batch come before the first write. That halves the time
+  // for 10 million.
   constexpr std::size_t batch_size = 64;
 
   const std::size_t n = points.size();
@@ -126,8 +128,8 @@ struct Duplicate
   std::size_t first; // the first of all that are equal to it
 };
 
-// All duplicates, those of one point together. Only points of equal hash values are sorted: few, unless
-// there are many duplicates.
+// All duplicates, those of one point together. Only points of equal hash values are sorted: few,
+// unless there are many duplicates.
 template <typename ConcurrencyTag>
 std::vector<Duplicate> find_duplicates(const std::vector<Point>& points)
 {

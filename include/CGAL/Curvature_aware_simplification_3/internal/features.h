@@ -34,9 +34,10 @@ struct Local_features
   double inverse_density;
 };
 
-// What the smallest eigenvalue of a covariance matrix may be for points of a plane. There it is exact to a few
-// units in the last place of the trace, its rounding error in the input to the square of that of the
-// coordinates. (Eigen's closed formula may be off by the root of the precision where two are small.)
+// What the smallest eigenvalue of a covariance matrix may be for points of a plane. There it is
+// exact to a few units in the last place of the trace, its rounding error in the input to the
+// square of that of the coordinates. (Eigen's closed formula may be off by the root of the
+// precision where two are small.)
 inline double rounding_error_of_eigenvalue(double trace, double coordinate_error)
 {
   return 16. * std::numeric_limits<double>::epsilon() * trace + coordinate_error * coordinate_error;
@@ -88,8 +89,8 @@ Local_features local_features(const Neighbor_search& search, const Point& query,
           squared_radius / k};
 }
 
-// The number of points of a neighborhood: the point itself and its k neighbors, or all there are, or as
-// many as the queue of CGAL's search can count
+// The number of points of a neighborhood: the point itself and its k neighbors, or all there are,
+// or as many as the queue of CGAL's search can count
 inline std::size_t neighborhood_size(std::size_t number_of_neighbors, std::size_t number_of_points)
 {
   constexpr std::size_t most = (std::numeric_limits<int>::max)() - 1;

@@ -56,18 +56,18 @@ std::vector<Column> median_columns(const Noise_probes& probes,
   return medians;
 }
 
-// Finds columns of points, one above the other, as where a scanner at rest measured the same directions again and again,
-// where layers of k points hold hardly more than one: they show a plane along it, and no noise. The nearest points are
-// then on a line that rises from the surface, as 4 k points show it. Returned is the radius of these, by range; 0 where
-// there are no columns.
+// Finds columns of points, one above the other, as where a scanner at rest measured the same
+// directions again and again, where layers of k points hold hardly more than one: they show a plane
+// along it, and no noise. The nearest points are then on a line that rises from the surface, as 4 k
+// points show it. Returned is the radius of these, by range; 0 where there are no columns.
 template <typename ConcurrencyTag>
 std::vector<double> find_columns(const Noise_probes& probes, const std::vector<std::size_t>& ranges,
                                  const Neighbor_search& search, std::size_t k,
                                  const std::vector<Layer>& narrow, const std::vector<Layer>& wide)
 {
   constexpr double steep = 0.3; // lines of a scan are in the surface
-  // Of the thickness, from k to 2 k points: 1.4 to 2.6 on clean shapes. Where it is no more, k points are not too few,
-  // and there is nothing to ask.
+  // Of the thickness, from k to 2 k points: 1.4 to 2.6 on clean shapes. Where it is no more, k
+  // points are not too few, and there is nothing to ask.
   constexpr double flat = 1e-3, jump = 3.;
   std::vector<std::size_t> suspects;
   std::copy_if(ranges.begin(), ranges.end(), std::back_inserter(suspects),

@@ -70,7 +70,8 @@ std::vector<Facet> some_facets(const std::vector<Point>& points, const Neighbor_
   return facets;
 }
 
-// The normal that many flat facets share, or the null vector. The mean of so many is more exact than one.
+// The normal that many flat facets share, or the null vector. The mean of so many is more exact
+// than one.
 inline Vector common_normal(const std::vector<Facet>& facets, double tolerance)
 {
   // Where steps are as large as the spacing, few are wider than a facet.
@@ -101,16 +102,18 @@ inline Vector common_normal(const std::vector<Facet>& facets, double tolerance)
   return most >= many ? best : NULL_VECTOR;
 }
 
-// Whether the surface is oblique to the levels around a facet, so that these are steps of it and no faces
+// Whether the surface is oblique to the levels around a facet, so that these are steps of it and no
+// faces
 inline bool is_on_steps(const Facet& facet, const Depth_levels& levels,
                         const Neighbor_search& search)
 {
-  // The layers of a lattice are 1.13 spacings apart, as its 8 nearest points tell these, and are no steps. To those who
-  // measure noise, smaller steps are like noise. Larger ones leave too little of the surface.
+  // The layers of a lattice are 1.13 spacings apart, as its 8 nearest points tell these, and are no
+  // steps. To those who measure noise, smaller steps are like noise. Larger ones leave too little
+  // of the surface.
   constexpr double smallest = 1.2, largest = 10.; // in spacings of the points
   constexpr double radius = 3.;                   // in steps: a ball of that radius holds several
-  // The cosines of 80 degrees and of 10: no walls, whose points may be in rows, and no faces, of which a ball
-  // holds one step.
+  // The cosines of 80 degrees and of 10: no walls, whose points may be in rows, and no faces, of
+  // which a ball holds one step.
   constexpr double wall = 0.17, face = 0.985;
 
   const std::size_t level = levels.level_of(levels.height(facet.point));
@@ -128,15 +131,15 @@ inline bool is_on_steps(const Facet& facet, const Depth_levels& levels,
   return wall < cosine && cosine < face;
 }
 
-// The levels that the depth of the points was rounded to, or none. With that, small neighborhoods are exactly flat
-// and face the sensor, while the surface, as larger ones show it, does not.
+// The levels that the depth of the points was rounded to, or none. With that, small neighborhoods
+// are exactly flat and face the sensor, while the surface, as larger ones show it, does not.
 template <typename ConcurrencyTag>
 Depth_levels find_depth_levels(const std::vector<Point>& points, const Neighbor_search& search,
                                double coordinate_error)
 {
-  // Errors of coordinates change the difference of two heights by up to 2 sqrt(3) of them, less than 4. Levels are at
-  // least a spacing apart. Few smooth surfaces are that flat from one point to the next, and
-  // those that are, all over.
+  // Errors of coordinates change the difference of two heights by up to 2 sqrt(3) of them, less
+  // than 4. Levels are at least a spacing apart. Few smooth surfaces are that flat from one point
+  // to the next, and those that are, all over.
   constexpr double relative_tolerance = 0.02;
 
   const std::vector<Facet> facets = some_facets<ConcurrencyTag>(points, search);

@@ -27,16 +27,17 @@ namespace CGAL {
 namespace Curvature_aware_simplification_3 {
 namespace internal {
 
-// Whether so many points with few votes are more than a clean scan has. Of 15 of these, at most one in 2000 points
-// was taken for an outlier; where one in 20 was added, one in 130 at least had few votes. Of few points, up to three
-// are by chance: of 6000 clean squares, disks and ellipsoids of 100 to 999 points, one had three, none had more.
+// Whether so many points with few votes are more than a clean scan has. Of 15 of these, at most one
+// in 2000 points was taken for an outlier; where one in 20 was added, one in 130 at least had few
+// votes. Of few points, up to three are by chance: of 6000 clean squares, disks and ellipsoids of
+// 100 to 999 points, one had three, none had more.
 inline bool is_more_than_a_few(std::size_t with_few_votes, std::size_t points)
 {
   return with_few_votes > 3 + points / 1000;
 }
 
-// Marks points that are far from others and thick, but for those that other points show to be on a surface.
-// `number_with_few_votes` of the outliers are near it.
+// Marks points that are far from others and thick, but for those that other points show to be on a
+// surface. `number_with_few_votes` of the outliers are near it.
 template <typename ConcurrencyTag>
 void mark_far_points(const Cloud& cloud, const Neighbor_search& search, const Features& features,
                      std::size_t k, std::size_t number_with_few_votes,
@@ -70,12 +71,12 @@ void mark_far_points(const Cloud& cloud, const Neighbor_search& search, const Fe
 // open surface half of them, and the density of the input cancels out: sparse regions vote for
 // themselves. An outlier near a surface has neighbors there, but is no neighbor of theirs. Outliers
 // far away vote for each other; they are those whose neighborhood is as thick as wide and has more
-// than 3 times the median radius, which noise alone does not give it; of those with 2 to 3 times, the
-// roundest are. Sparse parts of a surface look like that as well, but flat points are nearby, or they are
-// connected to denser parts. The votes of outliers do not count, which uncovers others: in a volume, those that lose a
-// third of theirs. Without single points between them, clusters are apart. Where there are more than a few near the
-// surface, some hide between its corners' votes and those of points farther off: a second look, once, asks for half of
-// the votes.
+// than 3 times the median radius, which noise alone does not give it; of those with 2 to 3 times,
+// the roundest are. Sparse parts of a surface look like that as well, but flat points are nearby,
+// or they are connected to denser parts. The votes of outliers do not count, which uncovers others:
+// in a volume, those that lose a third of theirs. Without single points between them, clusters are
+// apart. Where there are more than a few near the surface, some hide between its corners' votes and
+// those of points farther off: a second look, once, asks for half of the votes.
 template <typename ConcurrencyTag>
 std::vector<std::uint8_t> find_outliers(const Cloud& cloud, const Neighbor_search& search,
                                         const Shared_features& shared, std::size_t k,

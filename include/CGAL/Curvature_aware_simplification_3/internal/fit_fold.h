@@ -20,8 +20,8 @@ namespace CGAL {
 namespace Curvature_aware_simplification_3 {
 namespace internal {
 
-// Whether two planes explain the neighbors, and better than a quadric, which has as many parameters.
-// `tolerance` is how far from its plane a point may be.
+// Whether two planes explain the neighbors, and better than a quadric, which has as many
+// parameters. `tolerance` is how far from its plane a point may be.
 inline bool fit_fold(Neighborhood& neighborhood, double tolerance, Fold& fold)
 {
   // Others may be on a third face, or where an edge is rounded.
@@ -29,8 +29,8 @@ inline bool fit_fold(Neighborhood& neighborhood, double tolerance, Fold& fold)
   // Of the squared residuals of the quadric. If both explain the points equally well, there is no
   // reason to see an edge; with noise, the quadric's residuals are hardly more than the noise.
   constexpr double better = 0.75;
-  // cos 45 degrees, for the angle between the normals: flatter folds are bends of a mesh of triangles,
-  // and a quadric follows them
+  // cos 45 degrees, for the angle between the normals: flatter folds are bends of a mesh of
+  // triangles, and a quadric follows them
   constexpr double flattest = 0.7071;
 
   neighborhood.weight_by_distance();
@@ -44,8 +44,9 @@ inline bool fit_fold(Neighborhood& neighborhood, double tolerance, Fold& fold)
     weight += neighbor.weight;
     quadric_squares += neighbor.weight * residual * residual;
   }
-  // Three standard residuals are within the tolerance, and so nearly all points: no need to look for
-  // planes. That of a fold of 45 degrees in the middle of a disk is 0.025 radii, of 90 degrees 0.06.
+  // Three standard residuals are within the tolerance, and so nearly all points: no need to look
+  // for planes. That of a fold of 45 degrees in the middle of a disk is 0.025 radii, of 90 degrees
+  // 0.06.
   if (9. * quadric_squares <= weight * tolerance * tolerance)
     return false;
 

@@ -17,10 +17,11 @@ namespace CGAL {
 namespace Curvature_aware_simplification_3 {
 namespace internal {
 
-// The narrowest surface that can be trusted, around the foot point of x: through as few neighbors as possible, but
-// twice as many as long as they are on one line, which may bend, or noise makes it unknown between two. If even the most are
-// on one line, it is all there is: a curve, for which the narrowest do, and so they do for the next fit to it. `last` is the
-// fit before, if any; the other arguments are those of fit_to_neighbors().
+// The narrowest surface that can be trusted, around the foot point of x: through as few neighbors
+// as possible, but twice as many as long as they are on one line, which may bend, or noise makes it
+// unknown between two. If even the most are on one line, it is all there is: a curve, for which the
+// narrowest do, and so they do for the next fit to it. `last` is the fit before, if any; the other
+// arguments are those of fit_to_neighbors().
 inline Local_surface fit_local_surface(const Surface_fit& fit, const Point& x, const Vector& normal,
                                        const Local_surface& last, int rounds,
                                        Neighborhood& neighborhood)

@@ -20,8 +20,8 @@ namespace CGAL {
 namespace Curvature_aware_simplification_3 {
 namespace internal {
 
-// The length and the width of weighted neighbors: the roots of the eigenvalues of the covariance matrix of their places
-// in the plane, from the moments m_ij = sum w a^i b^j in some unit
+// The length and the width of weighted neighbors: the roots of the eigenvalues of the covariance
+// matrix of their places in the plane, from the moments m_ij = sum w a^i b^j in some unit
 inline void set_extent(double m00, double m10, double m01, double m20, double m11, double m02,
                        double unit, Local_surface& surface)
 {
@@ -32,12 +32,12 @@ inline void set_extent(double m00, double m10, double m01, double m20, double m1
   surface.width = unit * std::sqrt((std::max)(mean - difference, 0.) / m00);
 }
 
-// The quadric with the least squared heights of the weighted neighbors, in the frame of `surface`. Its
-// `error` is what noise of standard deviation `noise` makes of c0; without noise, nobody asks for it, nor for
-// the `amplification`. Returns false if it fails.
+// The quadric with the least squared heights of the weighted neighbors, in the frame of `surface`.
+// Its `error` is what noise of standard deviation `noise` makes of c0; without noise, nobody asks
+// for it, nor for the `amplification`. Returns false if it fails.
 //
-// With the basis f = (1, a, b, a^2, a b, b^2), the coefficients c solve (sum w f f^T) c = sum w h f. The
-// matrix has 36 entries, but they are only 15 different moments m_ij = sum w a^i b^j.
+// With the basis f = (1, a, b, a^2, a b, b^2), the coefficients c solve (sum w f f^T) c = sum w h
+// f. The matrix has 36 entries, but they are only 15 different moments m_ij = sum w a^i b^j.
 inline bool fit_quadric(const Neighborhood& neighborhood, double noise, Local_surface& surface)
 {
   // in the unit of the radius, so that all entries of the matrix are of one size
@@ -94,8 +94,8 @@ inline bool fit_quadric(const Neighborhood& neighborhood, double noise, Local_su
       m02, m12, m03, m22, m13, m04;
   right << h00, h10, h01, h20, h11, h02;
   // A penalty that only speaks where the neighbors are silent: points on a line know nothing of the
-  // curvature across it. Against the 3/80 that a disk with the weights (1 - r^2)^2 contributes to a^4, and the
-  // 1/8 to a^2, 1e-5 and 1e-9 are nothing.
+  // curvature across it. Against the 3/80 that a disk with the weights (1 - r^2)^2 contributes to
+  // a^4, and the 1/8 to a^2, 1e-5 and 1e-9 are nothing.
   for (int i = 1; i < 6; ++i)
     matrix(i, i) += (i < 3 ? 1e-9 : 1e-5) * sum;
 

@@ -20,9 +20,9 @@ namespace CGAL {
 namespace Curvature_aware_simplification_3 {
 namespace internal {
 
-// Nearly Welsch's weight exp(-e^2 / 2) with e in units of 2.5 standard deviations, as (1 - e^2 / 32)^16, which
-// takes less time: 97 % of the efficiency of least squares for Gaussian noise, and nothing left of what is
-// 8 standard deviations away
+// Nearly Welsch's weight exp(-e^2 / 2) with e in units of 2.5 standard deviations, as (1 - e^2 /
+// 32)^16, which takes less time: 97 % of the efficiency of least squares for Gaussian noise, and
+// nothing left of what is 8 standard deviations away
 inline constexpr double residual_scale = 2.5;
 
 inline double robust_weight(double residual, double spread, double scale = residual_scale)
@@ -45,11 +45,11 @@ inline double residual_spread(const Neighborhood& neighborhood, const Local_surf
   return 1.4826 * median(residuals) * std::sqrt(n / (std::max)(n - 5., 1.));
 }
 
-// Standard deviation of the height of a fit. `error` is what it would be for independent noise. Smoothed
-// points share their noise: a fit narrower than the smoothing is as good as they are, e = sigma, a
-// wider one as good as with independent noise. Both filters pass what is wider than they are and hold
-// back the rest, so that the narrower one hardly matters; the transition 1/e^4 = 1/e_1^4 + 1/e_2^4 was
-// measured on spheres.
+// Standard deviation of the height of a fit. `error` is what it would be for independent noise.
+// Smoothed points share their noise: a fit narrower than the smoothing is as good as they are, e =
+// sigma, a wider one as good as with independent noise. Both filters pass what is wider than they
+// are and hold back the rest, so that the narrower one hardly matters; the transition 1/e^4 =
+// 1/e_1^4 + 1/e_2^4 was measured on spheres.
 inline double error_of_fit(const Surface_fit& fit, double error)
 {
   if (!(fit.points_share_noise() && error > 0.))
@@ -58,10 +58,10 @@ inline double error_of_fit(const Surface_fit& fit, double error)
   return error / std::sqrt(std::sqrt(1. + ratio * ratio * ratio * ratio));
 }
 
-// The quadric as in fit_quadric.h, with the error for points that may share their noise. It fails as well
-// where it passes far from the ball: few neighbors on one side had all the weight, and nothing is known
-// of the center. Twice the radius is not far: so high is a plane in the ball over a center on its border if
-// the guessed normal is off by 60 degrees.
+// The quadric as in fit_quadric.h, with the error for points that may share their noise. It fails
+// as well where it passes far from the ball: few neighbors on one side had all the weight, and
+// nothing is known of the center. Twice the radius is not far: so high is a plane in the ball over
+// a center on its border if the guessed normal is off by 60 degrees.
 inline bool fit_quadric(const Surface_fit& fit, const Neighborhood& neighborhood,
                         Local_surface& surface)
 {
@@ -80,16 +80,16 @@ inline bool is_noisy(const Surface_fit& fit, const Neighborhood& neighborhood)
   return neighborhood.radius <= 2. * smallest_radius_in_noise * fit.noise.level;
 }
 
-// Rounds of reweighting: the first leaves out outliers and other sheets well enough. A second one sees them
-// in the light of the first, which makes no difference where points are exact; but where a sample stays among
-// noisy ones, it would be 3 % farther from the surface without.
+// Rounds of reweighting: the first leaves out outliers and other sheets well enough. A second one
+// sees them in the light of the first, which makes no difference where points are exact; but where
+// a sample stays among noisy ones, it would be 3 % farther from the surface without.
 inline constexpr int rounds_to_move = 1;
 inline constexpr int rounds_to_stay = 2;
 
-// The surface through at least `smallest` neighbors, around the foot point of x: a quadric by iteratively
-// reweighted least squares, with `rounds` of reweighting as above. `normal` is a guess, or the null
-// vector where there is none, and `expected_neighbors` how many neighbors may be needed, or 0. The
-// neighbors are left in `neighborhood`.
+// The surface through at least `smallest` neighbors, around the foot point of x: a quadric by
+// iteratively reweighted least squares, with `rounds` of reweighting as above. `normal` is a guess,
+// or the null vector where there is none, and `expected_neighbors` how many neighbors may be
+// needed, or 0. The neighbors are left in `neighborhood`.
 inline Local_surface fit_to_neighbors(const Surface_fit& fit, const Point& x, const Vector& normal,
                                       std::size_t smallest, std::size_t expected_neighbors,
                                       int rounds, Neighborhood& neighborhood)
@@ -120,8 +120,8 @@ inline Local_surface fit_to_neighbors(const Surface_fit& fit, const Point& x, co
             neighbor.weight = 0.;
     };
     // First a plane. The ball may reach another sheet, which the next rounds then leave out: inner
-    // neighbors decide, unless the ball is as narrow as the noise allows, or they may be on one line, for which
-    // more were asked for. Then all are needed to tell the normal.
+    // neighbors decide, unless the ball is as narrow as the noise allows, or they may be on one
+    // line, for which more were asked for. Then all are needed to tell the normal.
     weight_by_distance();
     if (!is_noisy(fit, neighborhood) && smallest == smallest_neighborhood)
       for (Neighborhood::Neighbor& neighbor : neighborhood.neighbors)
@@ -150,7 +150,8 @@ inline Local_surface fit_to_neighbors(const Surface_fit& fit, const Point& x, co
         break; // a second round would tell nothing new
     }
     const double distance = std::abs(fitted.c[0]);
-    // sigma / 2 in the narrowest balls for the noise: 1/14 of the radius. That part does for any ball.
+    // sigma / 2 in the narrowest balls for the noise: 1/14 of the radius. That part does for any
+    // ball.
     const double tolerance = 0.5 * neighborhood.radius / smallest_radius_in_noise;
     fitted.move_to_foot_point();
     if (!(distance > tolerance && moves < fit.settings.moves_to_foot_point))

@@ -19,13 +19,14 @@ namespace CGAL {
 namespace Curvature_aware_simplification_3 {
 namespace internal {
 
-// 2 standard deviations where a fit is widened: what it meets there may be another sheet, and nothing
-// is left of that if it is 6 away
+// 2 standard deviations where a fit is widened: what it meets there may be another sheet, and
+// nothing is left of that if it is 6 away
 inline constexpr double residual_scale_of_wider = 2.;
 
-// The surface from a wider ball than `surface` was fitted to, taken from `wide`; false if that does not
-// reduce its error. The narrower one tells by the height which points belong to the same sheet. Distances
-// count in the tangent plane: in a ball, the noise of a neighbor would decide over its weight.
+// The surface from a wider ball than `surface` was fitted to, taken from `wide`; false if that does
+// not reduce its error. The narrower one tells by the height which points belong to the same sheet.
+// Distances count in the tangent plane: in a ball, the noise of a neighbor would decide over its
+// weight.
 inline bool widen(const Surface_fit& fit, const Neighborhood& wide, double radius,
                   Neighborhood& neighborhood, Local_surface& surface)
 {
@@ -36,8 +37,9 @@ inline bool widen(const Surface_fit& fit, const Neighborhood& wide, double radiu
     const double h = neighbor.position * surface.n;
     return neighbor.squared_distance - h * h;
   });
-  // A narrow fit to smoothed points follows their noise, and shows less of it than there is: with 1.5 to
-  // 3 times what is left, the results are the same, and with less, points of the same sheet are lost.
+  // A narrow fit to smoothed points follows their noise, and shows less of it than there is: with
+  // 1.5 to 3 times what is left, the results are the same, and with less, points of the same sheet
+  // are lost.
   const double spread =
       fit.points_share_noise() ? (std::max)(surface.spread, 2. * fit.noise.level) : surface.spread;
   for (Neighborhood::Neighbor& neighbor : neighborhood.neighbors)
@@ -60,8 +62,8 @@ struct Widening
   double variance; // of the length of the shift, if noise alone causes it
 };
 
-// The narrowest fit, which is the surface of the sample, and what fits with 2, 4, ... times its neighbors
-// change one after the other
+// The narrowest fit, which is the surface of the sample, and what fits with 2, 4, ... times its
+// neighbors change one after the other
 struct Fits_of_all_sizes
 {
   Point point;
@@ -77,8 +79,8 @@ inline Fits_of_all_sizes fits_of_all_sizes(const Surface_fit& fit, const Surface
   Fits_of_all_sizes fits{surface.origin, {}};
   if (!(surface.radius > 0.))
     return fits;
-  // Balls of twice the area, and so on. All are in the largest, which is searched once, but for the small
-  // way that the foot point goes.
+  // Balls of twice the area, and so on. All are in the largest, which is searched once, but for the
+  // small way that the foot point goes.
   const double ratio = static_cast<double>(fit.settings.points_of_widest_fit) /
                        static_cast<double>((std::max)(surface.neighbors, std::size_t(1)));
   const double largest_radius = surface.radius * std::sqrt(ratio);

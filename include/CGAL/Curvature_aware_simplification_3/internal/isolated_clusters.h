@@ -27,12 +27,14 @@ namespace CGAL {
 namespace Curvature_aware_simplification_3 {
 namespace internal {
 
-// Clusters of points that hang in the air, as they come with photographs and with reflections. Their points
-// vote for each other, as those of a surface do, and they are dense: each of them is no outlier by itself.
+// Clusters of points that hang in the air, as they come with photographs and with reflections.
+// Their points vote for each other, as those of a surface do, and they are dense: each of them is
+// no outlier by itself.
 class Isolated_clusters
 {
 public:
-  // Points with more than `sparse` 1/rho are so far from others that their neighborhoods may be of several parts.
+  // Points with more than `sparse` 1/rho are so far from others that their neighborhoods may be of
+  // several parts.
   Isolated_clusters(const Cloud& cloud, const Neighbor_search& search, const Features& features,
                     std::size_t k, double sparse, const std::vector<std::uint8_t>& is_outlier)
     : m_cloud(cloud),
@@ -43,7 +45,8 @@ public:
       m_is_outlier(is_outlier)
   {}
 
-  // All their points. O(k log n) for each place where the Hilbert curve jumps between points that are not flat
+  // All their points. O(k log n) for each place where the Hilbert curve jumps between points that
+  // are not flat
   template <typename ConcurrencyTag>
   std::vector<std::size_t> points() const
   {
@@ -64,15 +67,16 @@ public:
   }
 
 private:
-  // A flat point is part of a surface. In the midst of few, k neighbors reach to other parts, and may look flat.
+  // A flat point is part of a surface. In the midst of few, k neighbors reach to other parts, and
+  // may look flat.
   bool may_be_in_cluster(std::size_t i) const
   {
     return m_is_outlier[i] == 0 && (m_features.curvature[i] > largest_curvature_of_flat_points ||
                                     m_features.inverse_density[i] > m_sparse);
   }
 
-  // The first point of a component is no mutual neighbor of those before it on the curve. Of most other points,
-  // one of the last few is.
+  // The first point of a component is no mutual neighbor of those before it on the curve. Of most
+  // other points, one of the last few is.
   bool may_be_first(std::size_t i) const
   {
     if (!may_be_in_cluster(i))
@@ -86,11 +90,12 @@ private:
     return true;
   }
 
-  // The component of point `first` in the graph of mutual neighbors; none if it has a point before that one, a
-  // flat point, or too many.
+  // The component of point `first` in the graph of mutual neighbors; none if it has a point before
+  // that one, a flat point, or too many.
   std::vector<std::size_t> component_from(std::size_t first) const
   {
-    // A noisy surface of so many neighborhoods shows a shape in the output; clusters are rarely as large.
+    // A noisy surface of so many neighborhoods shows a shape in the output; clusters are rarely as
+    // large.
     const std::size_t most = 8 * m_k;
 
     std::vector<std::size_t> component(1, first);
@@ -123,8 +128,8 @@ private:
                     std::sqrt((std::max)(lambda.sum(), 0.)));
   }
 
-  // As a whole, with these eigenvalues of its covariance matrix, and around each point: a part of a scan line with
-  // noise is not the first, a small ball, hollow, not the second.
+  // As a whole, with these eigenvalues of its covariance matrix, and around each point: a part of a
+  // scan line with noise is not the first, a small ball, hollow, not the second.
   bool is_thick(const std::vector<std::size_t>& cluster, const Eigen::Vector3d& lambda) const
   {
     double sum = 0.; // of the curvatures
@@ -133,14 +138,16 @@ private:
     const double size = static_cast<double>(cluster.size());
     const bool is_thick_everywhere =
         cluster.size() <= m_k || sum / size > least_curvature_of_volumes; // few see other parts
-    // The smallest eigenvalue of few points is smaller: of 10 Gaussian ones, 97 % have 0.042 of the sum or more.
+    // The smallest eigenvalue of few points is smaller: of 10 Gaussian ones, 97 % have 0.042 of the
+    // sum or more.
     const double least =
         least_curvature_of_volumes * (std::min)(1., size / static_cast<double>(m_k));
     return is_thick_everywhere && lambda(0) > least * lambda.sum();
   }
 
-  // Whether nothing else is within three times its root mean square radius, about as far from it as it is wide.
-  // Where points come in small groups, as if each were measured many times, these are nearer to each other.
+  // Whether nothing else is within three times its root mean square radius, about as far from it as
+  // it is wide. Where points come in small groups, as if each were measured many times, these are
+  // nearer to each other.
   bool is_apart(const std::vector<std::size_t>& cluster, const Point& center, double radius) const
   {
     std::size_t within = 0;

@@ -23,9 +23,10 @@ namespace CGAL {
 namespace Curvature_aware_simplification_3 {
 namespace internal {
 
-// Whether the neighbors do not tell the height at the center, whatever is left out of them: noise would be larger
-// there than at a point, and visibly so. The center is between two lines of a scan, whose lines are farther
-// apart than the points on them; of 19 random points, less than 1 % are so badly placed.
+// Whether the neighbors do not tell the height at the center, whatever is left out of them: noise
+// would be larger there than at a point, and visibly so. The center is between two lines of a scan,
+// whose lines are farther apart than the points on them; of 19 random points, less than 1 % are so
+// badly placed.
 inline bool is_between_lines(const Surface_fit& fit, Neighborhood& neighborhood,
                              const Local_surface& surface)
 {
@@ -41,13 +42,15 @@ inline bool is_between_lines(const Surface_fit& fit, Neighborhood& neighborhood,
   return fit_quadric(neighborhood, fit.noise.independent_level, of_all) && is_unknown(of_all);
 }
 
-// The width of neighbors on a line is less than this part of their length. On exact lines, 5 to 50 times as dense along as
-// across, errors are the same with 0.05 to 0.2. But lines have a width of their own, and where they are as far apart as the
-// samples, wider fits miss what is between them: with 0.2, the mean error of scanned shapes is 6 % larger there, with 0.05 1 %.
+// The width of neighbors on a line is less than this part of their length. On exact lines, 5 to 50
+// times as dense along as across, errors are the same with 0.05 to 0.2. But lines have a width of
+// their own, and where they are as far apart as the samples, wider fits miss what is between them:
+// with 0.2, the mean error of scanned shapes is 6 % larger there, with 0.05 1 %.
 inline constexpr double least_breadth = 0.05;
 
-// Whether the neighbors are on one line of a scan, whose lines are much farther apart than the points on them.
-// They tell the height at the center, but the surface turns about the line: without noise, as the line bends.
+// Whether the neighbors are on one line of a scan, whose lines are much farther apart than the
+// points on them. They tell the height at the center, but the surface turns about the line: without
+// noise, as the line bends.
 inline bool is_on_line(const Surface_fit& fit, const Local_surface& surface)
 {
   // without what noise gives a line
@@ -56,8 +59,8 @@ inline bool is_on_line(const Surface_fit& fit, const Local_surface& surface)
          squared_width < least_breadth * least_breadth * surface.length * surface.length;
 }
 
-// The width across a line that bends in the plane of the surface: of y over a parabola c in x, which is along the line,
-// so that sum w f f^T c = sum w y f with f = (1, x, x^2)
+// The width across a line that bends in the plane of the surface: of y over a parabola c in x,
+// which is along the line, so that sum w f f^T c = sum w y f with f = (1, x, x^2)
 inline double width_across_parabola(const Neighborhood& neighborhood, const Local_surface& surface)
 {
   const Vector along = line_direction(neighborhood);
@@ -79,8 +82,9 @@ inline double width_across_parabola(const Neighborhood& neighborhood, const Loca
   return neighborhood.radius * std::sqrt((std::max)(left, 0.) / matrix(0, 0));
 }
 
-// Whether the neighbors are on one line that bends. Those on a line that bends more than a parabola tells are half in the
-// inner half of the ball, of a surface only a quarter; with as few as 19, chance would decide.
+// Whether the neighbors are on one line that bends. Those on a line that bends more than a parabola
+// tells are half in the inner half of the ball, of a surface only a quarter; with as few as 19,
+// chance would decide.
 inline bool is_on_bent_line(Neighborhood& neighborhood, const Local_surface& surface)
 {
   constexpr double between = 3. / 8.;

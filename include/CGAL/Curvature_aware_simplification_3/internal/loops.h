@@ -27,8 +27,8 @@ template <typename ConcurrencyTag, typename Kernel>
 void for_each_index(std::size_t begin, std::size_t end, const Kernel& kernel)
 {
   using Iterator = boost::counting_iterator<std::size_t>;
-  // Some indices at a time: CGAL::for_each calls what it is given through a std::function, which takes as long
-  // as a short kernel. A thousand steps are enough for many threads to share.
+  // Some indices at a time: CGAL::for_each calls what it is given through a std::function, which
+  // takes as long as a short kernel. A thousand steps are enough for many threads to share.
   const std::size_t size = end - begin;
   const std::size_t step = (std::min)(size / 1024 + 1, std::size_t(64));
   CGAL::for_each<ConcurrencyTag>(CGAL::make_range(Iterator(0), Iterator((size + step - 1) / step)),

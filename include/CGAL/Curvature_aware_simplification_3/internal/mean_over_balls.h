@@ -18,9 +18,9 @@ namespace CGAL {
 namespace Curvature_aware_simplification_3 {
 namespace internal {
 
-// Of each range of the curve, the power mean of order p of the values in its ball: that of the range that a
-// piece is of, by the area A of the piece, (sum A_j value_j^p / sum A_j)^(1/p). What is a step along the
-// surface becomes a slope.
+// Of each range of the curve, the power mean of order p of the values in its ball: that of the
+// range that a piece is of, by the area A of the piece, (sum A_j value_j^p / sum A_j)^(1/p). What
+// is a step along the surface becomes a slope.
 template <typename ConcurrencyTag>
 std::vector<double> mean_over_balls(const std::vector<double>& value, double p,
                                     const std::vector<Surface_piece>& pieces,

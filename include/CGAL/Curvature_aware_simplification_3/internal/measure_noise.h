@@ -23,9 +23,10 @@ namespace CGAL {
 namespace Curvature_aware_simplification_3 {
 namespace internal {
 
-// The noise of a range that both kinds of fits show. What a fit misses of the shape looks like noise and never makes it
-// look less, so the one that shows less counts, if it is reliable. Next to another sheet, quadrics are not: there, those
-// of planes count, though these turn along the noise and show up to a fifth too little of it.
+// The noise of a range that both kinds of fits show. What a fit misses of the shape looks like
+// noise and never makes it look less, so the one that shows less counts, if it is reliable. Next to
+// another sheet, quadrics are not: there, those of planes count, though these turn along the noise
+// and show up to a fifth too little of it.
 inline Noise noise_of_both(const Shown_noise& around_quadrics, const Shown_noise& around_planes)
 {
   Noise noise;

@@ -15,8 +15,8 @@ namespace CGAL {
 namespace Curvature_aware_simplification_3 {
 namespace internal {
 
-// The upper median of values, of which there is at least one, by its definition: the largest that no more
-// than half of them are less than. O(n^2)
+// The upper median of values, of which there is at least one, by its definition: the largest that
+// no more than half of them are less than. O(n^2)
 inline double median_of_few(const std::vector<double>& values)
 {
   const std::ptrdiff_t half = static_cast<std::ptrdiff_t>(values.size() / 2);
@@ -36,8 +36,8 @@ inline double median_of_few(const std::vector<double>& values)
 // The same of any number of values, whose order it may change. O(n)
 inline double median(std::vector<double>& values)
 {
-  // Counting has hardly a branch to be guessed wrong. Of 19 residuals, as most fits have, it takes half the
-  // time, and a whole call 2 % less; from 64 values on it takes longer.
+  // Counting has hardly a branch to be guessed wrong. Of 19 residuals, as most fits have, it takes
+  // half the time, and a whole call 2 % less; from 64 values on it takes longer.
   constexpr std::size_t few = 32;
   if (values.size() <= few)
     return median_of_few(values);

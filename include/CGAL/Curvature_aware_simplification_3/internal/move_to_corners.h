@@ -28,8 +28,8 @@ namespace internal {
 // Where the samples end around x, in its tangent plane
 struct Way_out
 {
-  // from the mean of its nearest neighbors to x, over their mean distance: about the null vector amid
-  // samples; on a border, it has a length of 2 / pi = 0.64
+  // from the mean of its nearest neighbors to x, over their mean distance: about the null vector
+  // amid samples; on a border, it has a length of 2 / pi = 0.64
   Vector direction = Vector(0., 0., 0.);
   double mean_distance = 0.;
 };
@@ -55,9 +55,9 @@ Way_out way_out(const Surface_sample& x, const Neighbors& neighbors,
   return length > 0. ? Way_out{sum / length, length / static_cast<double>(number)} : Way_out();
 }
 
-// Whether the neighbors are in a part of a plane that is clearly less than a half, and their center is its
-// corner: the mean of those in a half disk of radius R is 0.42 R off its center, in a third 0.55 R, in a
-// quarter 0.6 R.
+// Whether the neighbors are in a part of a plane that is clearly less than a half, and their center
+// is its corner: the mean of those in a half disk of radius R is 0.42 R off its center, in a third
+// 0.55 R, in a quarter 0.6 R.
 inline bool is_corner(const Neighborhood& neighborhood)
 {
   constexpr double least = 0.5;
@@ -68,19 +68,19 @@ inline bool is_corner(const Neighborhood& neighborhood)
   return sum.squared_length() > limit * limit;
 }
 
-// The corner of an open surface next to a sample, if there is one: the last point of the input on the way
-// out of the samples, if it is a corner of the input and no other sample is nearer to it.
+// The corner of an open surface next to a sample, if there is one: the last point of the input on
+// the way out of the samples, if it is a corner of the input and no other sample is nearer to it.
 template <typename Neighbors>
 std::optional<Target> nearest_corner(const Surface_sample& x, const Neighbors& neighbors,
                                      const std::vector<Point>& points, const Surface_fit& fit)
 {
   constexpr double at_border = 0.55; // somewhat less than on a straight one
   constexpr double reach = 1.; // in spacings: where samples are even, one is nearer to a corner
-  // In spacings; on an even border it is 1.4. Where far more samples than even ones are asked for, one is next to
-  // any corner, and the balls of all would each hold a large part of the input.
+  // In spacings; on an even border it is 1.4. Where far more samples than even ones are asked for,
+  // one is next to any corner, and the balls of all would each hold a large part of the input.
   constexpr double least_mean_distance = 0.5;
-  // The mean of 64 random points in a half disk scatters: one in two hundred samples on the border of a
-  // disk is taken for one next to a corner, and moves by half a spacing at most.
+  // The mean of 64 random points in a half disk scatters: one in two hundred samples on the border
+  // of a disk is taken for one next to a corner, and moves by half a spacing at most.
   constexpr std::size_t k = 65;
 
   const Way_out out = way_out(x, neighbors, points);
@@ -112,9 +112,9 @@ std::optional<Target> nearest_corner(const Surface_sample& x, const Neighbors& n
   return Target{corner, std::sqrt(squared_way) / x.spacing};
 }
 
-// Moves samples next to a corner of an open surface into it. They are pushed towards it, but stop at the
-// border on one side of it, and whatever surface is reconstructed cuts off a corner without a sample.
-// `neighbors` are those of about these places.
+// Moves samples next to a corner of an open surface into it. They are pushed towards it, but stop
+// at the border on one side of it, and whatever surface is reconstructed cuts off a corner without
+// a sample. `neighbors` are those of about these places.
 template <typename ConcurrencyTag>
 void move_to_corners(std::vector<Surface_sample>& samples, const Sample_neighbors& neighbors,
                      const Surface_fit& fit, const Progress& progress)

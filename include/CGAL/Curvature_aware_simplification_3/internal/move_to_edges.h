@@ -53,20 +53,22 @@ std::vector<std::uint8_t> bent_points(const Features& features, std::size_t numb
   return is_bent;
 }
 
-// In spacings: a strip as wide on both sides of an edge holds 1.3 * 1.15 = 1.5 samples for each spacing of its
-// length, more than the one that it needs. Samples farther away are the first row beside it.
+// In spacings: a strip as wide on both sides of an edge holds 1.3 * 1.15 = 1.5 samples for each
+// spacing of its length, more than the one that it needs. Samples farther away are the first row
+// beside it.
 inline constexpr double near_edge = 0.65;
 
-// Whether the fold is more than a detail between the samples: most of the samples nearest to the one at
-// `distance` spacings from the edge are on it, and some on each side.
+// Whether the fold is more than a detail between the samples: most of the samples nearest to the
+// one at `distance` spacings from the edge are on it, and some on each side.
 template <typename Neighbors>
 bool is_seen_by_samples(const Fold& fold, const Point& center, const Neighbors& neighbors,
                         const std::vector<Point>& points, double spacing, double distance)
 {
   constexpr std::size_t most = 12; // one ring and a half
-  // The others may be on a third face: three of 12. With four, errors of CAD parts are 13 % larger at 1 % of the
-  // points, with two 3 % at 10 %. But one for the first row: where faces are a few spacings wide, there
-  // are no samples to spare; with two, the error of such a part at 1 % is 25 % larger.
+  // The others may be on a third face: three of 12. With four, errors of CAD parts are 13 % larger
+  // at 1 % of the points, with two 3 % at 10 %. But one for the first row: where faces are a few
+  // spacings wide, there are no samples to spare; with two, the error of such a part at 1 % is 25 %
+  // larger.
   const double share = distance > near_edge ? 0.9 : 0.75;
   // in spacings: faces may bend with a radius of 3 spacings
   constexpr double tolerance = 0.15;
@@ -88,8 +90,8 @@ bool is_seen_by_samples(const Fold& fold, const Point& center, const Neighbors& 
          only_on[1] > 0;
 }
 
-// The nearest point of a sharp edge that the input around `center` shows, if there is one within `reach`
-// spacings of a sample
+// The nearest point of a sharp edge that the input around `center` shows, if there is one within
+// `reach` spacings of a sample
 template <typename Neighbors>
 std::optional<Target> edge_point(const Surface_sample& x, const Point& center, double reach,
                                  const Neighbors& neighbors, const std::vector<Point>& points,
@@ -122,16 +124,16 @@ std::optional<Target> edge_point(const Surface_sample& x, const Point& center, d
   return Target{x.point + way, distance};
 }
 
-// The nearest point of a sharp edge near a sample, if there is one. `bent` finds the points of the input
-// at which there may be one.
+// The nearest point of a sharp edge near a sample, if there is one. `bent` finds the points of the
+// input at which there may be one.
 template <typename Neighbors>
 std::optional<Target> nearest_edge_point(const Surface_sample& x, const Neighbors& neighbors,
                                          const std::vector<Point>& points, const Surface_fit& fit,
                                          const Neighbor_search& bent)
 {
-  // In spacings: the first row on each side. Where an edge has a gap, a surface connects the faces across
-  // it and cuts it off, unless the samples beside it fill it. With `near_edge`, the 99th percentile of the error
-  // of CAD parts is 6 % larger.
+  // In spacings: the first row on each side. Where an edge has a gap, a surface connects the faces
+  // across it and cuts it off, unless the samples beside it fill it. With `near_edge`, the 99th
+  // percentile of the error of CAD parts is 6 % larger.
   constexpr double reach = 1.;
 
   if (!(x.surface.radius > 0.))
@@ -148,20 +150,20 @@ std::optional<Target> nearest_edge_point(const Surface_sample& x, const Neighbor
   const std::optional<Target> target = edge_point(x, center, reach, neighbors, points, fit);
   if (!target || target->distance <= near_edge)
     return target;
-  // The planes around it are not those at its foot point, and are fitted again there. The largest error is
-  // 5 % smaller.
+  // The planes around it are not those at its foot point, and are fitted again there. The largest
+  // error is 5 % smaller.
   return edge_point(x, nearest_bent(target->point), reach, neighbors, points, fit);
 }
 
-// Moves samples next to a sharp edge onto it. Whatever surface is reconstructed, it cuts off an edge
-// that no samples are on, and a quadric rounds it. `neighbors` are those of about these places, `bent` the
-// points of the input at which there may be an edge.
+// Moves samples next to a sharp edge onto it. Whatever surface is reconstructed, it cuts off an
+// edge that no samples are on, and a quadric rounds it. `neighbors` are those of about these
+// places, `bent` the points of the input at which there may be an edge.
 template <typename ConcurrencyTag>
 void move_to_edges(std::vector<Surface_sample>& samples, const Sample_neighbors& neighbors,
                    const Surface_fit& fit, const std::vector<Point>& bent, const Progress& progress)
 {
-  // In spacings: of samples that would go to nearly the same place, only the nearest does. With 0.15
-  // to 0.45, errors at 10 % of the points are the same within 3 %.
+  // In spacings: of samples that would go to nearly the same place, only the nearest does. With
+  // 0.15 to 0.45, errors at 10 % of the points are the same within 3 %.
   constexpr double too_close = 0.3;
 
   if (bent.empty())

@@ -18,8 +18,8 @@ namespace CGAL {
 namespace Curvature_aware_simplification_3 {
 namespace internal {
 
-// function(j) for those j of the k nearest points of point i that count and have it within the radius of their own
-// k nearest
+// function(j) for those j of the k nearest points of point i that count and have it within the
+// radius of their own k nearest
 template <typename Counts, typename Function>
 void for_each_mutual_neighbor(const Cloud& cloud, const Neighbor_search& search,
                               const Features& features, std::size_t k, std::size_t i,

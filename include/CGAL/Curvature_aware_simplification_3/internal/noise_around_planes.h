@@ -20,8 +20,9 @@ namespace CGAL {
 namespace Curvature_aware_simplification_3 {
 namespace internal {
 
-// The noise of each range that layers around planes show, which reach half as far as those around quadrics: they see
-// only one side of a part that is as thick as 1.6 spacings of the points, and less of details that these hardly show.
+// The noise of each range that layers around planes show, which reach half as far as those around
+// quadrics: they see only one side of a part that is as thick as 1.6 spacings of the points, and
+// less of details that these hardly show.
 template <typename ConcurrencyTag>
 std::vector<Shown_noise> noise_around_planes(const Noise_probes& probes,
                                              const Neighbor_search& search,

@@ -24,9 +24,10 @@ namespace CGAL {
 namespace Curvature_aware_simplification_3 {
 namespace internal {
 
-// The part of the thickness that is noise where a layer is so thick that it may be two sheets, at heights of a
-// and -a with noise sigma: s^2 = a^2 + sigma^2, and the excess kurtosis is -2 a^4 / s^4. It is about -0.45 for a single
-// sheet, whose noise is cut off by the ball that layers are taken from, and -0.5 where two sheets begin to show as two.
+// The part of the thickness that is noise where a layer is so thick that it may be two sheets, at
+// heights of a and -a with noise sigma: s^2 = a^2 + sigma^2, and the excess kurtosis is -2 a^4 /
+// s^4. It is about -0.45 for a single sheet, whose noise is cut off by the ball that layers are
+// taken from, and -0.5 where two sheets begin to show as two.
 inline double noise_in_thickness(const Layer& layer)
 {
   constexpr double surely_two_sheets = -0.65;
@@ -35,8 +36,9 @@ inline double noise_in_thickness(const Layer& layer)
              : 1.;
 }
 
-// Whether the width of layers of k points over their thickness is no more in those of 2 k: then what makes these
-// thicker is shape. In a volume it is so by chance, where the ratio is 2.25 (medians differ by up to 0.25).
+// Whether the width of layers of k points over their thickness is no more in those of 2 k: then
+// what makes these thicker is shape. In a volume it is so by chance, where the ratio is 2.25
+// (medians differ by up to 0.25).
 inline bool are_thick_by_shape(const Layer& narrow, const Layer& wide)
 {
   constexpr double more_than_in_a_volume = 2.6;
@@ -44,30 +46,34 @@ inline bool are_thick_by_shape(const Layer& narrow, const Layer& wide)
          wide.width * narrow.thickness <= narrow.width * wide.thickness;
 }
 
-// Whether a wide layer holds another sheet, next to the one of the narrow layer: it is more than twice as thick, so that
-// the two tell no noise, and more than a fifth as thick as wide, as no clean single sheet is.
+// Whether a wide layer holds another sheet, next to the one of the narrow layer: it is more than
+// twice as thick, so that the two tell no noise, and more than a fifth as thick as wide, as no
+// clean single sheet is.
 inline bool holds_another_sheet(const Layer& narrow, const Layer& wide)
 {
   return wide.thickness >= 2. * narrow.thickness && wide.width < 5. * wide.thickness;
 }
 
-// The noise of each range that layers around quadrics show. The narrower layer must be wide against the noise: in one as
-// thick as wide, a fit turns along the noise. And it must be broad, as must its inner half: if that is on one line of a
-// scan, the quadric can turn along the noise of the line, and meet the few points of the next.
+// The noise of each range that layers around quadrics show. The narrower layer must be wide against
+// the noise: in one as thick as wide, a fit turns along the noise. And it must be broad, as must
+// its inner half: if that is on one line of a scan, the quadric can turn along the noise of the
+// line, and meet the few points of the next.
 //
-// Where the narrowest is not, it may be two sheets. Where there is no such k up to 544, the noise is all there is
-// to see, and sigma is the thickness; but if that is more than the median, it may be that of a thin part, and
-// the median counts. If the points end before for most ranges, they are too few to tell noise from shape, and are
-// taken as they are. Nowhere does noise count for more than is told by layers that are thick by their shape, as
-// those of a twig are: of these, no k is wide enough.
+// Where the narrowest is not, it may be two sheets. Where there is no such k up to 544, the noise
+// is all there is to see, and sigma is the thickness; but if that is more than the median, it may
+// be that of a thin part, and the median counts. If the points end before for most ranges, they are
+// too few to tell noise from shape, and are taken as they are. Nowhere does noise count for more
+// than is told by layers that are thick by their shape, as those of a twig are: of these, no k is
+// wide enough.
 template <typename ConcurrencyTag>
 std::vector<Shown_noise>
 noise_around_quadrics(const Noise_probes& probes, const Neighbor_search& search,
                       std::size_t number_of_points, const Adaptive_settings& settings)
 {
   constexpr std::size_t smallest = 17, largest = 544;
-  // The width over the thickness. With 4, edges are lost in the neighborhoods of CAD parts with noise (p99 up
-  // to 8 % larger); with less, noise that is wider than the spacing of the points hides more of itself.
+  // The width over the thickness. With 4, edges are lost in the neighborhoods of CAD parts with
+  // noise (p99 up to 8 % larger); with less, noise that is wider than the spacing of the points
+  // hides more of itself.
   constexpr double wide_enough = 3.3;
 
   const auto layers = [&](const std::vector<std::size_t>& ranges, std::size_t k)

@@ -12,8 +12,8 @@
 #include <cstddef>
 #include <vector>
 
-// Passes in which each element depends on all before it, in two parallel rounds: blocks by themselves,
-// and then with what comes before them.
+// Passes in which each element depends on all before it, in two parallel rounds: blocks by
+// themselves, and then with what comes before them.
 
 namespace CGAL {
 namespace Curvature_aware_simplification_3 {
@@ -54,8 +54,8 @@ std::vector<T> elements_at(const std::vector<std::size_t>& indices, const std::v
   return result;
 }
 
-// Replaces each value, none of them negative, by the sum of all up to it. The sums do not fall: where one
-// block ends, rounding may put its last sum above what the next one starts from.
+// Replaces each value, none of them negative, by the sum of all up to it. The sums do not fall:
+// where one block ends, rounding may put its last sum above what the next one starts from.
 template <typename ConcurrencyTag>
 void sum_up(std::vector<double>& values)
 {

@@ -28,8 +28,9 @@ namespace CGAL {
 namespace Curvature_aware_simplification_3 {
 namespace internal {
 
-// Moves samples that have their places along the surface onto it: the step from a fit that is good enough to move on to
-// what the points around say in all. `neighbors` are those of about these places.
+// Moves samples that have their places along the surface onto it: the step from a fit that is good
+// enough to move on to what the points around say in all. `neighbors` are those of about these
+// places.
 template <typename ConcurrencyTag>
 void project_samples(std::vector<Surface_sample>& samples, const Sample_neighbors& neighbors,
                      const Clean_scan& scan, const Surface_fit& fit, const Progress& progress)

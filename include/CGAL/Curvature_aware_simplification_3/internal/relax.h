@@ -62,7 +62,8 @@ struct Attraction
   std::optional<std::size_t> nearest; // input point, if any is in the ball
 };
 
-// The mean of (p_j - x) with the weights alpha_j phi_1(kappa_j), alpha_j = theta(r) / r, r = |x - p_j|
+// The mean of (p_j - x) with the weights alpha_j phi_1(kappa_j), alpha_j = theta(r) / r, r = |x -
+// p_j|
 inline Attraction attraction(const Attractors& attractors, const Point& x, double radius)
 {
   const Theta theta(radius);
@@ -110,8 +111,9 @@ inline Vector repulsion(const std::vector<Point>& samples, const Neighbor_search
   return mean.mean();
 }
 
-// One iteration of eq. 8 for all samples at once; `curvature_at(x, nearest)` is the scaled surface variation
-// of a sample at x, whose nearest input point is known if it is in the ball. O(N (log M + neighbors))
+// One iteration of eq. 8 for all samples at once; `curvature_at(x, nearest)` is the scaled surface
+// variation of a sample at x, whose nearest input point is known if it is in the ball. O(N (log M +
+// neighbors))
 template <typename ConcurrencyTag, typename CurvatureAt>
 std::vector<Point> relax(const std::vector<Point>& samples, const Attractors& attractors,
                          const Curvature_weights& curvature_weights, const Relaxation& relaxation,

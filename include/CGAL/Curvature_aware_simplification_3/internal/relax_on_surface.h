@@ -25,9 +25,9 @@ namespace internal {
 // beta_i phi_2.
 //
 // Distances are measured in spacings, rho = |x - x_i| / s. theta = (1 - rho^2 / 4)^6 is close to
-// exp(-1.5 rho^2), that of the paper for h = 3.3 spacings, and ends at two spacings, the second ring.
-// phi_2 = s_i^2: where n phi_2 is the same everywhere, the forces balance, so the density n of the
-// samples tends to what is wanted, 1 / s^2; it falls with the curvature as in eq. 3 and 4.
+// exp(-1.5 rho^2), that of the paper for h = 3.3 spacings, and ends at two spacings, the second
+// ring. phi_2 = s_i^2: where n phi_2 is the same everywhere, the forces balance, so the density n
+// of the samples tends to what is wanted, 1 / s^2; it falls with the curvature as in eq. 3 and 4.
 template <typename Neighbors>
 Vector tangential_repulsion(const Surface_sample& x, const Neighbors& neighbors,
                             const std::vector<Point>& points, const std::vector<double>& spacings,
@@ -54,16 +54,16 @@ Vector tangential_repulsion(const Surface_sample& x, const Neighbors& neighbors,
     weight += beta;
   }
   sum = sum - (sum * x.normal) * x.normal;
-  // In a lattice of spacing s, the weights add up to 6 (3/4)^6 = 1.07. Few and far neighbors push less:
-  // divided by less, one at the end of the reach would push as six around do, and where noise makes the
-  // spacings differ, samples would jump to and fro.
+  // In a lattice of spacing s, the weights add up to 6 (3/4)^6 = 1.07. Few and far neighbors push
+  // less: divided by less, one at the end of the reach would push as six around do, and where noise
+  // makes the spacings differ, samples would jump to and fro.
   weight = (std::max)(weight, settings.least_weight_of_neighbors);
   return weight > 0. ? sum / weight : Vector(0., 0., 0.);
 }
 
-// One iteration for one sample. The first term of eq. 8, which draws samples to the input, has become
-// the surface that each sample moves on: it is exact to third order, where a mean is to first, and is
-// fitted again when the sample leaves the part that it was fitted to.
+// One iteration for one sample. The first term of eq. 8, which draws samples to the input, has
+// become the surface that each sample moves on: it is exact to third order, where a mean is to
+// first, and is fitted again when the sample leaves the part that it was fitted to.
 inline void move_on_surface(Surface_sample& x, Vector step, const Surface_fit& fit)
 {
   constexpr double trusted = 0.7; // of the radius of a fit: half of its area
@@ -84,9 +84,9 @@ inline void move_on_surface(Surface_sample& x, Vector step, const Surface_fit& f
           x.surface.normal(part * a, part * b), rounds_to_move);
 }
 
-// How many times as long as the repulsion weight says the steps of an iteration are: `first` in the first
-// one, which shrinks evenly to 1 in the tenth, or in the last if there are fewer. Further iterations
-// then only carry on.
+// How many times as long as the repulsion weight says the steps of an iteration are: `first` in the
+// first one, which shrinks evenly to 1 in the tenth, or in the last if there are fewer. Further
+// iterations then only carry on.
 inline double length_of_steps(double first, std::size_t iteration, std::size_t number_of_iterations)
 {
   const std::size_t last = (std::min)(number_of_iterations, std::size_t(10)) - 1;
@@ -102,13 +102,13 @@ Sample_neighbors relax_on_surface(std::vector<Surface_sample>& samples, const Su
                                   std::size_t number_of_iterations, double repulsion_weight,
                                   const Progress& progress)
 {
-  // Means over all samples of how far they move, in spacings. Ten iterations come to 1 or a little less: after
-  // the third, neighbors are searched for again. With 0.25, they would be a third time, which makes no
-  // difference. Two samples that move as far as the mean come from 2 spacings to 1 unseen, but few move
-  // towards each other.
+  // Means over all samples of how far they move, in spacings. Ten iterations come to 1 or a little
+  // less: after the third, neighbors are searched for again. With 0.25, they would be a third time,
+  // which makes no difference. Two samples that move as far as the mean come from 2 spacings to 1
+  // unseen, but few move towards each other.
   constexpr double far_enough_to_search = 0.5;
-  // At the start, samples are where chance has put them, and the nearest decide: one ring and a half is as
-  // good as more, and saves 2 % of a call.
+  // At the start, samples are where chance has put them, and the nearest decide: one ring and a
+  // half is as good as more, and saves 2 % of a call.
   constexpr std::size_t first_neighbors = 12;
   // below which the distribution does not change any more: 1 % of what the first iteration moves
   constexpr double at_rest = 0.001;

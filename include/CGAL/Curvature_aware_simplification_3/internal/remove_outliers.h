@@ -25,8 +25,9 @@ namespace CGAL {
 namespace Curvature_aware_simplification_3 {
 namespace internal {
 
-// Leaves out outliers: from the points, from the features, which is what `shared` keeps, and from the search,
-// whose indices may not be those of the points any more. The indices in the cloud are dropped before.
+// Leaves out outliers: from the points, from the features, which is what `shared` keeps, and from
+// the search, whose indices may not be those of the points any more. The indices in the cloud are
+// dropped before.
 template <typename ConcurrencyTag>
 void remove_outliers(Cloud& cloud, std::unique_ptr<Neighbor_search>& search,
                      Shared_features& shared, std::size_t k, std::size_t number_of_samples,
@@ -43,9 +44,10 @@ void remove_outliers(Cloud& cloud, std::unique_ptr<Neighbor_search>& search,
   if (kept.size() == n || kept.size() < (std::max)(number_of_samples, (n + 1) / 2))
     return;
 
-  // To hide outliers saves a tree, an eighth of a call; but each search that meets one is done again. Among
-  // 25 neighbors, one of a thousand is rarely met. With noise, when 3 % may be taken for outliers and all
-  // points are smoothed, most searches meet one, which takes longer than a new tree.
+  // To hide outliers saves a tree, an eighth of a call; but each search that meets one is done
+  // again. Among 25 neighbors, one of a thousand is rarely met. With noise, when 3 % may be taken
+  // for outliers and all points are smoothed, most searches meet one, which takes longer than a new
+  // tree.
   const bool are_few = n - kept.size() <= n / 1000;
   if (are_few)
     search->hide(std::move(is_outlier));

@@ -20,8 +20,8 @@ namespace CGAL {
 namespace Curvature_aware_simplification_3 {
 namespace internal {
 
-// The default of h: the ball around a sample holds two rings of others. CGAL's manual of WLOP asks for
-// at least that, and theta lets more have no effect.
+// The default of h: the ball around a sample holds two rings of others. CGAL's manual of WLOP asks
+// for at least that, and theta lets more have no effect.
 inline constexpr double radius_in_spacings = 2.;
 
 // Typical distance that the samples will have when they are spread evenly; 0 if there are no two
@@ -33,8 +33,8 @@ inline constexpr double radius_in_spacings = 2.;
 // gives s = R sqrt(2 pi / (18 sqrt(3))). Of fewer samples, all take the place of the 18.
 //
 // The median keeps out what is special: isolated samples on outliers, and dense ones on sharp
-// features. The samples are measured, and not the ratio of M and N, since that knows neither how the
-// selection distributed them nor whether they lie on a surface, along a line or in clusters.
+// features. The samples are measured, and not the ratio of M and N, since that knows neither how
+// the selection distributed them nor whether they lie on a surface, along a line or in clusters.
 template <typename ConcurrencyTag>
 double sample_spacing(const std::vector<Point>& samples)
 {

@@ -32,7 +32,8 @@ struct Sampling_density
   Curve_ranges ranges;
   // Their integral over the surface is N.
   std::vector<double> density;
-  // Of each point of a range: density times the area of the surface that it stands for, more on borders.
+  // Of each point of a range: density times the area of the surface that it stands for, more on
+  // borders.
   std::vector<double> weight;
 };
 
@@ -71,8 +72,9 @@ Sampling_density sampling_density(const std::vector<Point>& points,
       coordinate_error, settings, progress);
   const Curve_ranges& ranges = surface.ranges;
 
-  // Bounded from below by a part of the mean, with what noise may hide. Without that, the few places of a
-  // noisy plane that look bent by chance are the only ones that are, and get half of all samples.
+  // Bounded from below by a part of the mean, with what noise may hide. Without that, the few
+  // places of a noisy plane that look bent by chance are the only ones that are, and get half of
+  // all samples.
   const double mean_power = reduce_indices<ConcurrencyTag>(
                                 ranges.number, 0.,
                                 [&](std::size_t i) {

@@ -18,10 +18,10 @@ namespace CGAL {
 namespace Curvature_aware_simplification_3 {
 namespace internal {
 
-// Scales a density so that its integral over the surface is `number`, but limits it: not more than one sample
-// for two input points, since a denser result could show no more than they do, unless a uniform density asks
-// for more: then up to `densest_in_sparse_regions` for each point. If all together are asked for more than
-// that, all get more.
+// Scales a density so that its integral over the surface is `number`, but limits it: not more than
+// one sample for two input points, since a denser result could show no more than they do, unless a
+// uniform density asks for more: then up to `densest_in_sparse_regions` for each point. If all
+// together are asked for more than that, all get more.
 template <typename ConcurrencyTag>
 void scale_to_number(std::vector<double>& density, double number, const Curve_ranges& ranges,
                      const std::vector<double>& range_area, double total_area,

@@ -22,11 +22,12 @@ namespace CGAL {
 namespace Curvature_aware_simplification_3 {
 namespace internal {
 
-// Exactly `number` of the points, in their order, with probabilities proportional to their weight, which is
-// the `point_weight` of their range of the Hilbert curve: systematic sampling. The curve is cut into pieces
-// of equal weight, and one point is taken of each. Independent draws (paper, sec. 4.1) have the same
-// probabilities, but leave clusters and gaps, and must be trimmed to the count; here every compact piece of
-// the surface gets its share up to one sample. No range is empty.
+// Exactly `number` of the points, in their order, with probabilities proportional to their weight,
+// which is the `point_weight` of their range of the Hilbert curve: systematic sampling. The curve
+// is cut into pieces of equal weight, and one point is taken of each. Independent draws (paper,
+// sec. 4.1) have the same probabilities, but leave clusters and gaps, and must be trimmed to the
+// count; here every compact piece of the surface gets its share up to one sample. No range is
+// empty.
 template <typename ConcurrencyTag>
 std::vector<std::size_t> select_along_curve(const Curve_ranges& ranges,
                                             const std::vector<double>& point_weight,

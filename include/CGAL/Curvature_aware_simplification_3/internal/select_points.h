@@ -59,9 +59,9 @@ private:
   double m_mean_inverse_density;
 };
 
-// Exactly `number_of_output_points` positions in the input, in increasing order: every distinct point is
-// drawn with probability F_i, then points are removed or inserted at random until the count is met.
-// Duplicates are inserted only when there are not enough distinct points. O(M)
+// Exactly `number_of_output_points` positions in the input, in increasing order: every distinct
+// point is drawn with probability F_i, then points are removed or inserted at random until the
+// count is met. Duplicates are inserted only when there are not enough distinct points. O(M)
 template <typename ConcurrencyTag>
 std::vector<std::size_t> select_points(const Cloud& cloud, const Features& features,
                                        const Parameters& parameters)

@@ -25,8 +25,8 @@ namespace CGAL {
 namespace Curvature_aware_simplification_3 {
 namespace internal {
 
-// One sample for each point asked for, on points of the scan that are selected with the wanted density. They have no
-// surface yet.
+// One sample for each point asked for, on points of the scan that are selected with the wanted
+// density. They have no surface yet.
 template <typename ConcurrencyTag>
 std::vector<Surface_sample> select_samples(const Clean_scan& scan, const Parameters& parameters,
                                            const Adaptive_settings& settings,

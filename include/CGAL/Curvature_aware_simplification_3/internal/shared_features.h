@@ -24,8 +24,9 @@ namespace CGAL {
 namespace Curvature_aware_simplification_3 {
 namespace internal {
 
-// Features of which a point may have those of one nearby, its representative: where the neighborhood of
-// a point is flat, those in its inner half see the same, and need not have their neighbors looked up.
+// Features of which a point may have those of one nearby, its representative: where the
+// neighborhood of a point is flat, those in its inner half see the same, and need not have their
+// neighbors looked up.
 struct Shared_features
 {
   Features features;
@@ -37,18 +38,18 @@ struct Shared_features
              // counts for all whom the voter represents, so k on average
 };
 
-// O(n (log n + k)), but k-nearest-neighbor queries for a quarter of the points only, where these are
-// dense against shape and noise
+// O(n (log n + k)), but k-nearest-neighbor queries for a quarter of the points only, where these
+// are dense against shape and noise
 template <typename ConcurrencyTag, typename DiagonalizeTraits>
 Shared_features compute_shared_features(const Cloud& cloud, const Neighbor_search& search,
                                         std::size_t number_of_neighbors, const Progress& progress)
 {
-  // Of the squared radius. Points that are that near are in half of the neighborhood, and so get the
-  // votes of a part of it at least. And an outlier over a surface that has such neighbors there is so
-  // near that its 1/rho is less than twice as large as theirs.
+  // Of the squared radius. Points that are that near are in half of the neighborhood, and so get
+  // the votes of a part of it at least. And an outlier over a surface that has such neighbors there
+  // is so near that its 1/rho is less than twice as large as theirs.
   constexpr double inner_half = 0.5;
-  // Points share within blocks of so many along the Hilbert curve only, one after the other, so that
-  // the result does not depend on threads. Few neighborhoods meet the border of such a block.
+  // Points share within blocks of so many along the Hilbert curve only, one after the other, so
+  // that the result does not depend on threads. Few neighborhoods meet the border of such a block.
   constexpr std::size_t sharing_block = 1024;
   constexpr std::uint8_t most = (std::numeric_limits<std::uint8_t>::max)();
 
@@ -108,7 +109,8 @@ Shared_features compute_shared_features(const Cloud& cloud, const Neighbor_searc
     }
   });
 
-  // Far from all others, an outlier and its neighbors may happen to be flat: there, each speaks for itself.
+  // Far from all others, an outlier and its neighbors may happen to be flat: there, each speaks for
+  // itself.
   const double sparse = far_inverse_density(shared.features.inverse_density);
   for_each_index<ConcurrencyTag>(0, n,
                                  [&](std::size_t i)

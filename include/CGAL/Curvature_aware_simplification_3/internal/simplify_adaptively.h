@@ -38,11 +38,12 @@ namespace CGAL {
 namespace Curvature_aware_simplification_3 {
 namespace internal {
 
-// A fit to more than a third of all points does not tell what is between them: samples of 19 to 45 points on a sphere would
-// be up to 0.7 to 0.4 of its radius off it, of 57 points 0.14.
+// A fit to more than a third of all points does not tell what is between them: samples of 19 to 45
+// points on a sphere would be up to 0.7 to 0.4 of its radius off it, of 57 points 0.14.
 inline constexpr std::size_t fewest_points_to_fit = 3 * smallest_neighborhood;
 
-// Points of the input as they are: all of them and duplicates, or, where there are too few to fit a surface, some
+// Points of the input as they are: all of them and duplicates, or, where there are too few to fit a
+// surface, some
 template <typename ConcurrencyTag, typename DiagonalizeTraits>
 Distinct_samples select_without_moving(const Cloud& cloud, const Neighbor_search& search,
                                        const Parameters& parameters, const Progress& progress,
@@ -64,8 +65,9 @@ Distinct_samples select_without_moving(const Cloud& cloud, const Neighbor_search
   return {elements_at<ConcurrencyTag>(selected, cloud.points), std::vector<std::size_t>(number, 1)};
 }
 
-// The samples, in the frame. All that the stages need is measured in the input: outliers, noise, density, curvature at
-// the distance of the samples. The cloud and the search are taken, since each stage lets go of what no later one needs.
+// The samples, in the frame. All that the stages need is measured in the input: outliers, noise,
+// density, curvature at the distance of the samples. The cloud and the search are taken, since each
+// stage lets go of what no later one needs.
 template <typename ConcurrencyTag, typename DiagonalizeTraits>
 Distinct_samples simplify_adaptively(Cloud cloud, std::unique_ptr<Neighbor_search> search,
                                      const Parameters& parameters,

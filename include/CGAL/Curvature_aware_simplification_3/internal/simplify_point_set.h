@@ -29,7 +29,8 @@ namespace Curvature_aware_simplification_3 {
 namespace internal {
 
 // From the caller's range to the caller's output: reads, measures, simplifies by one of the two
-// methods and writes. `settings` are those of the adaptive method, which only the benchmark changes.
+// methods and writes. `settings` are those of the adaptive method, which only the benchmark
+// changes.
 template <typename ConcurrencyTag, typename PointRange, typename OutputIterator,
           typename NamedParameters>
 OutputIterator simplify_point_set(const PointRange& points, OutputIterator output,

@@ -30,8 +30,9 @@ struct Smoothed_point
   double variance;
 };
 
-// Variance of the heights of the neighbors over the surface that was fitted to them: noise, and shape that it
-// missed. The center does not count: it may be a point that is far off, and such are to be moved.
+// Variance of the heights of the neighbors over the surface that was fitted to them: noise, and
+// shape that it missed. The center does not count: it may be a point that is far off, and such are
+// to be moved.
 inline double variance_of_residuals(const Neighborhood& neighborhood, const Local_surface& surface)
 {
   double sum = 0., sum_of_squares = 0., sum_of_residuals = 0.;
@@ -51,9 +52,10 @@ inline double variance_of_residuals(const Neighborhood& neighborhood, const Loca
   return sum_of_residuals / sum * n / (std::max)(n - 6., 1.);
 }
 
-// How much of the way from a point to the foot point brings it nearer to the surface, as in Lee's filter for
-// images: sigma^2 / s^2, where s^2 is the variance of the residuals, or 1 where that is no more than noise by
-// chance. On a sharp edge, a quadric is off by as much as they are, and the point itself by sigma only.
+// How much of the way from a point to the foot point brings it nearer to the surface, as in Lee's
+// filter for images: sigma^2 / s^2, where s^2 is the variance of the residuals, or 1 where that is
+// no more than noise by chance. On a sharp edge, a quadric is off by as much as they are, and the
+// point itself by sigma only.
 inline double share_explained_by_noise(const Surface_fit& fit, double residual_variance)
 {
   const double explained =
@@ -61,8 +63,8 @@ inline double share_explained_by_noise(const Surface_fit& fit, double residual_v
   return residual_variance > explained ? explained / residual_variance : 1.;
 }
 
-// x moved to the foot point on the quadric through its neighbors, as far as noise explains; x itself where
-// its noise is not visible, or they tell nothing of it
+// x moved to the foot point on the quadric through its neighbors, as far as noise explains; x
+// itself where its noise is not visible, or they tell nothing of it
 inline Smoothed_point smooth_point(const Surface_fit& fit, const Point& x, double inverse_density,
                                    double spacing_of_samples)
 {
@@ -77,8 +79,8 @@ inline Smoothed_point smooth_point(const Surface_fit& fit, const Point& x, doubl
                     static_cast<std::size_t>(expected_neighbors), neighborhood);
   if (!(neighborhood.radius > 0.))
     return unchanged;
-  // The center is a noisy point itself: were the weights to fall within a few sigma, points with the
-  // same error would count most, and confirm it. Where noise is small against the distances of
+  // The center is a noisy point itself: were the weights to fall within a few sigma, points with
+  // the same error would count most, and confirm it. Where noise is small against the distances of
   // the points, they fall as in other fits.
   neighborhood.radius = (std::max)(neighborhood.radius, 2. * radius);
   neighborhood.weight_by_distance();
@@ -94,8 +96,8 @@ inline Smoothed_point smooth_point(const Surface_fit& fit, const Point& x, doubl
   return {x + share * (surface.origin - x), variance};
 }
 
-// The noise that is left where points were smoothed and thinned: the mean of the variances of those that were
-// kept, by range
+// The noise that is left where points were smoothed and thinned: the mean of the variances of those
+// that were kept, by range
 template <typename ConcurrencyTag>
 Noise_levels noise_left(const Noise_levels& noise, const std::vector<std::size_t>& kept_points,
                         const std::vector<double>& variance)
@@ -120,9 +122,9 @@ Noise_levels noise_left(const Noise_levels& noise, const std::vector<std::size_t
   return left;
 }
 
-// Moves points with visible noise towards local surfaces, so that less of it is left and later fits can be
-// narrower: in balls of 7 sigma, shape is lost. Thins points that are dense against the noise. Returns what
-// is left of it.
+// Moves points with visible noise towards local surfaces, so that less of it is left and later fits
+// can be narrower: in balls of 7 sigma, shape is lost. Thins points that are dense against the
+// noise. Returns what is left of it.
 template <typename ConcurrencyTag>
 Noise_levels smooth_points(std::vector<Point>& points, std::vector<double>& inverse_density,
                            std::vector<std::uint8_t>& is_bent, const Neighbor_search& search,

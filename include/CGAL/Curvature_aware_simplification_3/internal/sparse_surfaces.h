@@ -29,13 +29,14 @@ namespace CGAL {
 namespace Curvature_aware_simplification_3 {
 namespace internal {
 
-// Points that are taken for outliers because they are thick and sparse may be sparse parts of a surface. Where a
-// scanner is far away, all of a surface is sparse, and thick at edges and where parts are hardly thicker than the
-// points are apart. But not far from there it is flat. So flat points vote for these far ones, in neighborhoods of
-// twice the radius.
+// Points that are taken for outliers because they are thick and sparse may be sparse parts of a
+// surface. Where a scanner is far away, all of a surface is sparse, and thick at edges and where
+// parts are hardly thicker than the points are apart. But not far from there it is flat. So flat
+// points vote for these far ones, in neighborhoods of twice the radius.
 
-// On a surface, twice the radius of the k nearest points holds so many. In space, one point in thirty is flat: of so
-// many neighbors, a quarter never is by chance; of k, a third is for a few of 100,000 points.
+// On a surface, twice the radius of the k nearest points holds so many. In space, one point in
+// thirty is flat: of so many neighbors, a quarter never is by chance; of k, a third is for a few of
+// 100,000 points.
 inline std::size_t neighbors_within_twice_the_radius(std::size_t k)
 {
   return 4 * k;
@@ -69,10 +70,11 @@ double median_curvature(const Cloud& cloud, const Neighbor_search& search, std::
   return median(curvature);
 }
 
-// Whether something tells of outliers but the far points themselves. Where outliers fill the box around a surface,
-// for each fifteen far ones at most, one near it has few votes. On 144 scans without outliers whose density falls
-// 100 : 1 to 10,000 : 1, three of four had one for each hundred at most. And in larger neighborhoods, parts of a surface
-// are flatter than space is, and than 400 and more outliers that all are far.
+// Whether something tells of outliers but the far points themselves. Where outliers fill the box
+// around a surface, for each fifteen far ones at most, one near it has few votes. On 144 scans
+// without outliers whose density falls 100 : 1 to 10,000 : 1, three of four had one for each
+// hundred at most. And in larger neighborhoods, parts of a surface are flatter than space is, and
+// than 400 and more outliers that all are far.
 template <typename ConcurrencyTag>
 bool are_outliers_likely(const Cloud& cloud, const Neighbor_search& search, std::size_t k,
                          std::size_t number_with_few_votes,
@@ -88,16 +90,17 @@ inline double needed_share_of_votes(bool are_outliers_likely)
   return are_outliers_likely ? 1. / 4. : 1. / 16.;
 }
 
-// Unmarks those of the far ones that have enough votes of flat points with more than `least_inverse_density` 1/rho,
-// which are among other such points. They vote in the next round. O(n), and O(k + log n) for each point that votes.
+// Unmarks those of the far ones that have enough votes of flat points with more than
+// `least_inverse_density` 1/rho, which are among other such points. They vote in the next round.
+// O(n), and O(k + log n) for each point that votes.
 template <typename ConcurrencyTag>
 void unmark_sparse_surfaces(const Cloud& cloud, const Neighbor_search& search,
                             const Features& features, std::size_t k, double least_inverse_density,
                             double needed_share, const std::vector<std::size_t>& far_ones,
                             std::vector<std::uint8_t>& is_outlier)
 {
-  // Each reaches one neighborhood farther. Where outliers and a surface are equally sparse, there has to be an end:
-  // one would follow the other. With four, some legs of animals are lost.
+  // Each reaches one neighborhood farther. Where outliers and a surface are equally sparse, there
+  // has to be an end: one would follow the other. With four, some legs of animals are lost.
   constexpr int most_rounds = 8;
   const std::size_t many = neighbors_within_twice_the_radius(k);
   const auto share_of_many = [&](double share) {

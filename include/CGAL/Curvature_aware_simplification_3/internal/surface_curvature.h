@@ -37,14 +37,15 @@ struct Surface_curvature
   std::vector<double> possible_curvature; // which the noise may hide
 };
 
-// Of means of the curvature: a few large values do not decide them. It is that of the default alpha, and
-// not alpha itself, for which the bound from below would vanish with alpha: then flat parts would get
-// less of a density that is nearly uniform.
+// Of means of the curvature: a few large values do not decide them. It is that of the default
+// alpha, and not alpha itself, for which the bound from below would vanish with alpha: then flat
+// parts would get less of a density that is nearly uniform.
 inline constexpr double order_of_mean = 2. / 3.;
 
-// The curvature at the distance of the samples, by how far the points of a ball are off a plane: in balls
-// with a radius R of 1.5 spacings, it is sqrt(lambda_0) / R^2 up to a constant. From lambda_0, sigma^2 is taken
-// off for the noise. R is 3 sigma at least; what is sparse or dense has larger or smaller balls, as below.
+// The curvature at the distance of the samples, by how far the points of a ball are off a plane: in
+// balls with a radius R of 1.5 spacings, it is sqrt(lambda_0) / R^2 up to a constant. From
+// lambda_0, sigma^2 is taken off for the noise. R is 3 sigma at least; what is sparse or dense has
+// larger or smaller balls, as below.
 template <typename ConcurrencyTag>
 Surface_curvature surface_curvature(const std::vector<Point>& points,
                                     const std::vector<double>& inverse_density,
@@ -52,13 +53,14 @@ Surface_curvature surface_curvature(const std::vector<Point>& points,
                                     const Noise_levels& noise, double coordinate_error,
                                     const Adaptive_settings& settings, const Progress& progress)
 {
-  // Pieces are small against the balls, about 16 in each. Where the input is sparse, balls hold no fewer
-  // than 4, which is one piece to each side, and no fewer points than about 17, so that the height over
-  // their plane is more than chance; where it is dense, no more than 64, which say as much as all. With
-  // half or twice as many pieces or points, the mean error of what is made of it is the same to 1 %.
+  // Pieces are small against the balls, about 16 in each. Where the input is sparse, balls hold no
+  // fewer than 4, which is one piece to each side, and no fewer points than about 17, so that the
+  // height over their plane is more than chance; where it is dense, no more than 64, which say as
+  // much as all. With half or twice as many pieces or points, the mean error of what is made of it
+  // is the same to 1 %.
   constexpr double fewest_pieces = 4., most_pieces = 64., fewest_points = 17.;
-  // Ranges of the Hilbert curve, about one for each sample, represented by the point in its middle. Each
-  // is two pieces, unless these would be of fewer than two points, which saves nothing.
+  // Ranges of the Hilbert curve, about one for each sample, represented by the point in its middle.
+  // Each is two pieces, unless these would be of fewer than two points, which saves nothing.
   const std::size_t n = points.size();
   const Curve_ranges ranges{(std::min)(n, number_of_samples), n};
   const std::size_t pieces_in_range = n / ranges.number < 4 ? 1 : 2;
@@ -96,8 +98,8 @@ Surface_curvature surface_curvature(const std::vector<Point>& points,
                                  {
     const Deviation deviation =
         deviation_from_plane(pieces, balls.of(i), centers[i], coordinate_error);
-    // Beyond the noise, and two standard deviations of what the points say of it, so that noise alone is taken
-    // for flat. But it may hide so much.
+    // Beyond the noise, and two standard deviations of what the points say of it, so that noise
+    // alone is taken for flat. But it may hide so much.
     const double variance = sigma[i] * sigma[i];
     const double signal = deviation.squared_height - variance;
     const double hidden = 2. * variance * std::sqrt(2. / deviation.number);
@@ -107,15 +109,17 @@ Surface_curvature surface_curvature(const std::vector<Point>& points,
       curvature[i] = std::sqrt((std::max)(signal - hidden, 0.)) / deviation.trace;
       possible_curvature[i] = std::sqrt((std::max)(signal, hidden)) / deviation.trace;
     }
-    // On a border, samples stand for half a cell: the area counts twice, as that of the ball does, on
-    // one side of which there are no points. The mean of half a disk is 4 r / 3 pi off its center.
+    // On a border, samples stand for half a cell: the area counts twice, as that of the ball does,
+    // on one side of which there are no points. The mean of half a disk is 4 r / 3 pi off its
+    // center.
     const double one_sided = deviation.trace > 0. ? (9. * CGAL_PI * CGAL_PI / 32. - 1.) *
                                                         deviation.squared_offset / deviation.trace
                                                   : 0.;
     area_of_point[i] = (1. + one_sided) * deviation.area / deviation.number;
   });
 
-  // Reconstruction wants spacings that vary slowly, and where they change at once, the relaxation takes long.
+  // Reconstruction wants spacings that vary slowly, and where they change at once, the relaxation
+  // takes long.
   if (settings.average_curvature)
     curvature =
         mean_over_balls<ConcurrencyTag>(curvature, order_of_mean, pieces, pieces_in_range, balls);

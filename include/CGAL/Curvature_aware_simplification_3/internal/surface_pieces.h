@@ -25,8 +25,8 @@ namespace CGAL {
 namespace Curvature_aware_simplification_3 {
 namespace internal {
 
-// The points in a piece of the Hilbert curve: enough of them to compute the covariance of the points in a ball
-// from a few pieces instead of hundreds of points
+// The points in a piece of the Hilbert curve: enough of them to compute the covariance of the
+// points in a ball from a few pieces instead of hundreds of points
 struct Surface_piece
 {
   Point center;                     // the mean of the points
@@ -78,10 +78,11 @@ struct Deviation
   double area;           // of the surface that they stand for
 };
 
-// Of the pieces in a ball together: with w points around c and the covariance C in each piece, the covariance
-// around the mean m is sum w (C + (c - m) (c - m)^T) / sum w. A height below the rounding error of the
-// coordinates, `coordinate_error`, is 0: a plane has no curvature. So the solver is the iterative one; the
-// closed formula is off by the root of the precision for points on a line.
+// Of the pieces in a ball together: with w points around c and the covariance C in each piece, the
+// covariance around the mean m is sum w (C + (c - m) (c - m)^T) / sum w. A height below the
+// rounding error of the coordinates, `coordinate_error`, is 0: a plane has no curvature. So the
+// solver is the iterative one; the closed formula is off by the root of the precision for points on
+// a line.
 template <typename Ball>
 Deviation deviation_from_plane(const std::vector<Surface_piece>& pieces, const Ball& ball,
                                const Point& x, double coordinate_error)

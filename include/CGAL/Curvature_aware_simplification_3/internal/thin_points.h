@@ -21,17 +21,17 @@ namespace CGAL {
 namespace Curvature_aware_simplification_3 {
 namespace internal {
 
-// The neighbors of a point by which it is smoothed: 24, four for each coefficient of a quadric, or all in a
-// ball
+// The neighbors of a point by which it is smoothed: 24, four for each coefficient of a quadric, or
+// all in a ball
 inline constexpr std::size_t smoothing_neighborhood = 25;
 
-// The radius r of that ball: 4 sigma, where a layer looks flat, but no more than strong noise is worth. What a
-// quadric over it misses of a shape with details of all sizes grows with r^2, and matters against what the
-// samples miss, which grows with the square of their spacing s; the noise that it leaves shrinks with sigma
-// / r. The sum of the squares, (r / s)^4 and (sigma / r)^2 times constants, is least for r^3 ~ s^2 sigma.
-// Of the constants 1.4 to 1.7 times the cube root, the smaller ones are better for scanned shapes (mean 0.95 to
-// 0.96, p99 0.93 to 0.97 of that with 4 sigma, down to 3 beyond 1.25 spacings), and worse for smooth ones (wavy
-// patch 1.38 to 1.07).
+// The radius r of that ball: 4 sigma, where a layer looks flat, but no more than strong noise is
+// worth. What a quadric over it misses of a shape with details of all sizes grows with r^2, and
+// matters against what the samples miss, which grows with the square of their spacing s; the noise
+// that it leaves shrinks with sigma / r. The sum of the squares, (r / s)^4 and (sigma / r)^2 times
+// constants, is least for r^3 ~ s^2 sigma. Of the constants 1.4 to 1.7 times the cube root, the
+// smaller ones are better for scanned shapes (mean 0.95 to 0.96, p99 0.93 to 0.97 of that with 4
+// sigma, down to 3 beyond 1.25 spacings), and worse for smooth ones (wavy patch 1.38 to 1.07).
 inline double smoothing_radius(const Noise& noise, double spacing_of_samples)
 {
   const double worth = 1.6 * std::cbrt(spacing_of_samples * spacing_of_samples * noise.level);
@@ -44,9 +44,9 @@ struct Thinned_points
   std::vector<double> number;    // how many points each of them stands for
 };
 
-// The part of the points that is enough to smooth all: those in the ball that smooths one are all averaged into
-// it, so that more than a full neighborhood per ball tell the same again. All, where noise is not visible:
-// there, points are not smoothed.
+// The part of the points that is enough to smooth all: those in the ball that smooths one are all
+// averaged into it, so that more than a full neighborhood per ball tell the same again. All, where
+// noise is not visible: there, points are not smoothed.
 inline double part_to_smooth(const Noise& noise, double inverse_density, double spacing_of_samples)
 {
   const double radius = smoothing_radius(noise, spacing_of_samples);
@@ -55,9 +55,9 @@ inline double part_to_smooth(const Noise& noise, double inverse_density, double 
   return noise.is_visible && points_in_ball > enough ? enough / points_in_ball : 1.;
 }
 
-// That of each point, from the mean 1/rho of ranges of the curve. With its own, points far from a surface, where
-// noise is sparse, would be kept more often than those near it. A mean keeps all of a sparse place
-// that shares a range with a dense one.
+// That of each point, from the mean 1/rho of ranges of the curve. With its own, points far from a
+// surface, where noise is sparse, would be kept more often than those near it. A mean keeps all of
+// a sparse place that shares a range with a dense one.
 template <typename ConcurrencyTag>
 std::vector<double> parts_to_smooth(const std::vector<double>& inverse_density,
                                     const Noise_levels& noise, double spacing_of_samples)
@@ -80,8 +80,9 @@ std::vector<double> parts_to_smooth(const std::vector<double>& inverse_density,
   return parts;
 }
 
-// Keeps a part of the points, evenly along the curve: one wherever the sum of the parts passes an integer. At least
-// two for each sample remain, if there are so many: what is missing is taken from all places alike.
+// Keeps a part of the points, evenly along the curve: one wherever the sum of the parts passes an
+// integer. At least two for each sample remain, if there are so many: what is missing is taken from
+// all places alike.
 template <typename ConcurrencyTag>
 Thinned_points thin_points(const std::vector<double>& inverse_density, const Noise_levels& noise,
                            std::size_t number_of_samples, double spacing_of_samples)

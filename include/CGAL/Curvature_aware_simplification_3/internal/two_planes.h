@@ -75,13 +75,14 @@ void choose(const std::vector<Vector>& points, const Predicate& belongs,
 }
 
 // The plane that most of the points are within `tolerance` of, by random sample consensus (Fischler
-// and Bolles 1981): the best of those through three points. Returns false if there are fewer than 7.
-// CGAL's Efficient_RANSAC wants normals, which are what is looked for.
+// and Bolles 1981): the best of those through three points. Returns false if there are fewer than
+// 7. CGAL's Efficient_RANSAC wants normals, which are what is looked for.
 inline bool plane_with_most_points(const std::vector<Vector>& points, double tolerance,
                                    Local_plane& best)
 {
-  // A plane that has a half of the points has all three in one trial of eight, and is missed once in
-  // 70; one that has a third, as the faces of a corner, in one of 27, and is missed once in three.
+  // A plane that has a half of the points has all three in one trial of eight, and is missed once
+  // in 70; one that has a third, as the faces of a corner, in one of 27, and is missed once in
+  // three.
   constexpr std::uint64_t trials = 32;
 
   const std::size_t n = points.size();

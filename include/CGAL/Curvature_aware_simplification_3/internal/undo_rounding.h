@@ -23,9 +23,10 @@ namespace CGAL {
 namespace Curvature_aware_simplification_3 {
 namespace internal {
 
-// How far from p, in the plane of the levels, the surface leaves for the next level, which is `gap` above (or below,
-// if it is negative), and how far that can be seen: of the points nearest to p + 1.5 gap d, one of p's own level is
-// 1.5 |gap| away, and one of the next is nearer if its distance in the plane is less than sqrt(2) |gap|.
+// How far from p, in the plane of the levels, the surface leaves for the next level, which is `gap`
+// above (or below, if it is negative), and how far that can be seen: of the points nearest to p +
+// 1.5 gap d, one of p's own level is 1.5 |gap| away, and one of the next is nearer if its distance
+// in the plane is less than sqrt(2) |gap|.
 inline double distance_to_next_level(const Point& p, double gap, const Depth_levels& levels,
                                      const Neighbor_search& search)
 {
@@ -42,9 +43,9 @@ inline double distance_to_next_level(const Point& p, double gap, const Depth_lev
   return distance;
 }
 
-// How much the depth of p was rounded down, as where the surface is a plane: between its borders with the levels below
-// and above, depth grows by one gap, and is halfway between the levels at both. Where neither border is near, nothing is
-// known, and it is 0.
+// How much the depth of p was rounded down, as where the surface is a plane: between its borders
+// with the levels below and above, depth grows by one gap, and is halfway between the levels at
+// both. Where neither border is near, nothing is known, and it is 0.
 inline double rounded_away(const Point& p, const Depth_levels& levels,
                            const Neighbor_search& search)
 {
@@ -63,8 +64,9 @@ inline double rounded_away(const Point& p, const Depth_levels& levels,
   return part * (part > 0. ? above : below);
 }
 
-// Moves points whose depth was rounded to steps to where they were before, as far as the borders of the steps tell.
-// Without that, steps look like flat faces with sharp edges. Returns the steps. O(n log n)
+// Moves points whose depth was rounded to steps to where they were before, as far as the borders of
+// the steps tell. Without that, steps look like flat faces with sharp edges. Returns the steps. O(n
+// log n)
 template <typename ConcurrencyTag>
 Depth_levels undo_rounding(Cloud& cloud, std::unique_ptr<Neighbor_search>& search)
 {
@@ -84,9 +86,10 @@ Depth_levels undo_rounding(Cloud& cloud, std::unique_ptr<Neighbor_search>& searc
   return levels;
 }
 
-// The noise that rounding leaves, a third of what it caused (the standard deviation of what is rounded away is 0.29
-// steps): neighbors share it, so that those who measure noise do not see it. With 0.05 or 0.15 instead of 0.1, the mean
-// error of single frames of a camera is 2 % larger; without, 14 %.
+// The noise that rounding leaves, a third of what it caused (the standard deviation of what is
+// rounded away is 0.29 steps): neighbors share it, so that those who measure noise do not see it.
+// With 0.05 or 0.15 instead of 0.1, the mean error of single frames of a camera is 2 % larger;
+// without, 14 %.
 template <typename ConcurrencyTag>
 void allow_for_rounding(Noise_levels& noise, const std::vector<Point>& points,
                         const Depth_levels& levels)

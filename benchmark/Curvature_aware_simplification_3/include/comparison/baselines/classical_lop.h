@@ -106,7 +106,8 @@ private:
   double m_mu;
 };
 
-// min(n, M) particles from a uniform random subset, after the first and `iterations` more iterations
+// min(n, M) particles from a uniform random subset, after the first and `iterations` more
+// iterations
 inline Points classical_lop(const Points& points, std::size_t n, double h, std::size_t iterations,
                             std::uint64_t seed = 0)
 {

@@ -45,8 +45,8 @@ private:
     std::size_t farthest;
   };
 
-  // A selected point counts as nearer than any other, so that it is not the farthest again even when
-  // only duplicates are left.
+  // A selected point counts as nearer than any other, so that it is not the farthest again even
+  // when only duplicates are left.
   static constexpr double selected = -1.;
   static constexpr std::size_t leaf_size = 16; // few, as all are visited, but more than one per box
 

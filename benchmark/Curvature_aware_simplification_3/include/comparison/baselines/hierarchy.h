@@ -24,7 +24,8 @@ inline Points hierarchy_points(Points points, unsigned int size, double maximum_
 
 // The same with the T that gives the count nearest to n. The clusters are those of one tree, cut
 // higher or lower, so the count is monotone, and jumps by what one split sets free, mostly 1. The
-// size M bounds it from below: if T = 1/3, the largest there is, gives more than n, that is returned.
+// size M bounds it from below: if T = 1/3, the largest there is, gives more than n, that is
+// returned.
 inline Points hierarchy_points_of_size(const Points& points, std::size_t n, unsigned int size)
 {
   // below 1e-12 lies the rounding error of the variation
@@ -32,8 +33,8 @@ inline Points hierarchy_points_of_size(const Points& points, std::size_t n, unsi
                       1. / 3., 1e-12, n);
 }
 
-// The same with the size M that gives the count nearest to n for a given T. M is an integer, and the
-// count about inverse to it: what remains is up to about n / (2 M).
+// The same with the size M that gives the count nearest to n for a given T. M is an integer, and
+// the count about inverse to it: what remains is up to about n / (2 M).
 inline Points hierarchy_points_of_variation(const Points& points, std::size_t n,
                                             double maximum_variation)
 {

@@ -45,8 +45,8 @@ public:
   Feature mode(std::size_t i) const
   {
     Feature feature{m_points[i], m_normal[i]};
-    // a hundredth of the bandwidth is nothing next to a cluster; ridges of the density are long, and
-    // on them the shift becomes slow without an end
+    // a hundredth of the bandwidth is nothing next to a cluster; ridges of the density are long,
+    // and on them the shift becomes slow without an end
     const double tolerance = 0.01 * m_bandwidth[i];
     for (int iteration = 0; iteration < 30; ++iteration)
     {

@@ -21,9 +21,9 @@ namespace comparison {
 //
 // All points are shifted to their local modes, and clusters generated from these: a cluster of more
 // than M points, or of a surface variation above T, is halved by the plane through the centroid of
-// its modes across their longest axis, as Pauly et al. (2002) do it with the points, until no cluster
-// exceeds M or T. Points of one mode stay together as long as M and T allow it. The centroid of each
-// cluster, projected onto the surface, represents it.
+// its modes across their longest axis, as Pauly et al. (2002) do it with the points, until no
+// cluster exceeds M or T. Points of one mode stay together as long as M and T allow it. The
+// centroid of each cluster, projected onto the surface, represents it.
 //
 // Where the points are spread evenly, their density has no distinct modes and the points hardly
 // shift; there, clusters are those of the points themselves. The bandwidth is the distance to the

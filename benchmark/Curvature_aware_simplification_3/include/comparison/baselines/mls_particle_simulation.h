@@ -43,9 +43,9 @@ struct Particle_simulation_parameters
 //
 //   r = R / (1 + sigma / s),
 //
-// so s is the variation that halves the radius. R is c times the spacing that particles spread in this
-// way have on a hexagonal lattice. The force vanishes at the distance 0 as at r, so that for c much
-// above 1, with several particles inside the radius, they clump.
+// so s is the variation that halves the radius. R is c times the spacing that particles spread in
+// this way have on a hexagonal lattice. The force vanishes at the distance 0 as at r, so that for c
+// much above 1, with several particles inside the radius, they clump.
 class Particle_simulation
 {
 public:

@@ -20,8 +20,8 @@ namespace comparison {
 // with Gaussian weights around the foot of the projection, then along its normal to a quadratic
 // polynomial over the plane.
 //
-// The Gaussian exp(-r^2 / h^2) is adapted to the density as by Pauly et al. (2002): h is half of the
-// distance to the k-th neighbor, whose weight is then 2%.
+// The Gaussian exp(-r^2 / h^2) is adapted to the density as by Pauly et al. (2002): h is half of
+// the distance to the k-th neighbor, whose weight is then 2%.
 class Point_set_surface
 {
 public:
