@@ -124,7 +124,7 @@ bool estimate_surface_variation(PointRange& points, std::size_t k,
     const std::vector<std::size_t> distinct_index = distinct_indices<ConcurrencyTag>(cloud);
     std::size_t i = 0;
     for (auto&& element : points)
-      put(surface_variation_map, element, features.curvature[distinct_index[i++]]);
+      put(surface_variation_map, element, features.surface_variation[distinct_index[i++]]);
     return true;
   }
   catch (const Cancelled&)

@@ -234,7 +234,7 @@ TEST(Selection, is_exact_and_follows_the_probabilities)
   Features features;
   for (std::size_t i = 0; i < cloud.size(); ++i)
   {
-    features.curvature.push_back(0.01 * static_cast<double>(cloud.input_index[i] % 4));
+    features.surface_variation.push_back(0.01 * static_cast<double>(cloud.input_index[i] % 4));
     features.inverse_density.push_back(1. + static_cast<double>(cloud.input_index[i] % 2));
   }
   const Selection_probability F(0.25, 0.75, 2. / 3., 0.015, 1.5);

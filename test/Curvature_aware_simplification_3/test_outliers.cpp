@@ -161,7 +161,8 @@ struct Far_outliers
       is_outlier(cloud.size())
   {
     for (std::size_t i = 0; i < cloud.size(); ++i)
-      if (shared.features.curvature[i] > least_curvature_of_volumes && is_far(cloud.input_index[i]))
+      if (shared.features.surface_variation[i] > least_variation_of_volumes &&
+          is_far(cloud.input_index[i]))
       {
         is_outlier[i] = 1;
         far_ones.push_back(i);
@@ -270,8 +271,8 @@ TEST(Outliers,
           number_of_mutual_neighbors(outliers, i,
                                      [&](std::size_t j) { return expected[j] == 0; }) >= 8)
       {
-        const bool is_space = curvature_of_twice_the_radius(outliers.cloud, outliers.search, 16,
-                                                            i) > largest_curvature_of_parts;
+        const bool is_space = variation_of_twice_the_radius(outliers.cloud, outliers.search, 16,
+                                                            i) > largest_variation_of_parts;
         are_some_space |= is_space;
         is_any_new |= !is_space;
         expected[i] = is_space ? 1 : 0;
@@ -364,7 +365,7 @@ TEST(Outliers, are_no_neighbors_once_they_are_removed)
     remove_outliers<Tag>(cloud, search, shared, 16, 100, Adaptive_settings());
     EXPECT_LT(cloud.size(), all.size());
     EXPECT_GT(cloud.size(), 19900u);
-    EXPECT_EQ(shared.features.curvature.size(), cloud.size());
+    EXPECT_EQ(shared.features.surface_variation.size(), cloud.size());
     EXPECT_EQ(shared.features.inverse_density.size(), cloud.size());
     const std::set<Point> kept(cloud.points.begin(), cloud.points.end());
     for (const Point& query : all)

@@ -37,7 +37,7 @@ TEST(Shared_features, are_those_of_a_point_in_whose_inner_half_one_is)
     if (shared.represented[i] > 0)
     {
       ++representatives;
-      EXPECT_EQ(shared.features.curvature[i], own.curvature);
+      EXPECT_EQ(shared.features.surface_variation[i], own.surface_variation);
       EXPECT_EQ(shared.features.inverse_density[i], own.inverse_density);
       continue;
     }
@@ -46,11 +46,11 @@ TEST(Shared_features, are_those_of_a_point_in_whose_inner_half_one_is)
     for (std::size_t j = 0; j < cloud.size() && !found; ++j)
       found = shared.represented[j] > 1 &&
               shared.features.inverse_density[j] == shared.features.inverse_density[i] &&
-              shared.features.curvature[j] == shared.features.curvature[i] &&
+              shared.features.surface_variation[j] == shared.features.surface_variation[i] &&
               CGAL::squared_distance(cloud.points[i], cloud.points[j]) <=
                   8. * shared.features.inverse_density[j];
     EXPECT_TRUE(found) << i;
-    EXPECT_LE(shared.features.curvature[i], 0.02);
+    EXPECT_LE(shared.features.surface_variation[i], 0.02);
     // two neighborhoods of random points
     EXPECT_LT(shared.features.inverse_density[i], 4. * own.inverse_density);
     EXPECT_GT(shared.features.inverse_density[i], 0.25 * own.inverse_density);
@@ -126,7 +126,7 @@ TEST(Shared_features, are_the_same_for_every_tag)
   const Shared_features sequential =
       compute_shared_features<CGAL::Sequential_tag, CGAL::Default_diagonalize_traits<double, 3>>(
           cloud, search, 16, Progress(no_callback));
-  EXPECT_EQ(parallel.features.curvature, sequential.features.curvature);
+  EXPECT_EQ(parallel.features.surface_variation, sequential.features.surface_variation);
   EXPECT_EQ(parallel.features.inverse_density, sequential.features.inverse_density);
   EXPECT_EQ(parallel.represented, sequential.represented);
   EXPECT_EQ(parallel.votes, sequential.votes);

@@ -87,8 +87,8 @@ public:
                 [&](std::size_t i)
                 {
       return votes(i) < m_quarter || !m_settings.keep_sparse_surfaces ||
-             curvature_of_twice_the_radius(m_cloud, m_search, m_k, i) >
-                 least_curvature_at_borders_of_volumes;
+             variation_of_twice_the_radius(m_cloud, m_search, m_k, i) >
+                 least_variation_at_borders_of_volumes;
     },
                 tag);
   }
@@ -137,7 +137,7 @@ private:
   // region of a surface has no outliers to lose.
   std::size_t few_votes(std::size_t i) const
   {
-    return is_thick_and_sparse(m_shared.features, i, least_curvature_of_volumes, m_rather_sparse)
+    return is_thick_and_sparse(m_shared.features, i, least_variation_of_volumes, m_rather_sparse)
                ? (std::max)(m_quarter, 2 * std::size_t(m_shared.votes[i]) / 3)
                : m_quarter;
   }

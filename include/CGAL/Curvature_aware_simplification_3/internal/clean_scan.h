@@ -13,10 +13,10 @@
 #include <CGAL/Curvature_aware_simplification_3/internal/Noise_levels.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Progress.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Stopwatch.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/bent_points.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/features.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/find_outliers.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/measure_noise.h>
-#include <CGAL/Curvature_aware_simplification_3/internal/move_to_edges.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/parameters.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/remove_outliers.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/sampling_density.h>
@@ -87,7 +87,7 @@ Clean_scan clean_scan(Cloud cloud, std::unique_ptr<Neighbor_search> search,
 
   Shared_features shared = compute_shared_features<ConcurrencyTag, DiagonalizeTraits>(
       cloud, *search, parameters.number_of_neighbors, progress.part(0., 0.75));
-  report.maximum_surface_variation = largest_curvature<ConcurrencyTag>(shared.features);
+  report.maximum_surface_variation = largest_surface_variation<ConcurrencyTag>(shared.features);
   report.features_time = stopwatch.lap();
 
   if (settings.find_outliers)

@@ -92,7 +92,7 @@ void unmark_connected(const Cloud& cloud, const Neighbor_search& search, const F
                                    [&](std::size_t a)
                                    {
       if (!are_outliers_likely ||
-          curvature_of_twice_the_radius(cloud, search, k, asked[a]) <= largest_curvature_of_parts)
+          variation_of_twice_the_radius(cloud, search, k, asked[a]) <= largest_variation_of_parts)
         is_outlier[asked[a]] = 0;
     });
     // Each is asked in the round in which it gets the last neighbor it needs; in which order does

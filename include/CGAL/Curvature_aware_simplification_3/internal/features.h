@@ -24,13 +24,13 @@ namespace internal {
 // What the selection and the weights know of a point (paper, sec. 4.1, step 1)
 struct Features
 {
-  std::vector<double> curvature;       // kappa: the surface variation, in [0, 1/3]
-  std::vector<double> inverse_density; // 1 / rho = r^2 / k, r the distance to the k-th neighbor
+  std::vector<double> surface_variation; // kappa, in [0, 1/3]: the curvature of the paper
+  std::vector<double> inverse_density;   // 1 / rho = r^2 / k, r the distance to the k-th neighbor
 };
 
 struct Local_features
 {
-  double curvature;
+  double surface_variation;
   double inverse_density;
 };
 
@@ -110,17 +110,18 @@ Features compute_features(const Cloud& cloud, const Neighbor_search& search,
                                  {
     const Local_features local =
         local_features<DiagonalizeTraits>(search, cloud.points[i], size, cloud.coordinate_error);
-    features.curvature[i] = local.curvature;
+    features.surface_variation[i] = local.surface_variation;
     features.inverse_density[i] = local.inverse_density;
   });
   return features;
 }
 
 template <typename ConcurrencyTag>
-double largest_curvature(const Features& features)
+double largest_surface_variation(const Features& features)
 {
   return reduce_indices<ConcurrencyTag>(
-      features.curvature.size(), 0., [&](std::size_t i) { return features.curvature[i]; },
+      features.surface_variation.size(), 0.,
+      [&](std::size_t i) { return features.surface_variation[i]; },
       [](double a, double b) { return (std::max)(a, b); });
 }
 
@@ -130,7 +131,7 @@ double largest_curvature(const Features& features)
 template <typename ConcurrencyTag>
 double curvature_scale(const Features& features, double maximum_scaled_curvature)
 {
-  const double maximum = largest_curvature<ConcurrencyTag>(features);
+  const double maximum = largest_surface_variation<ConcurrencyTag>(features);
   return maximum > 0. ? maximum_scaled_curvature / maximum : 0.;
 }
 

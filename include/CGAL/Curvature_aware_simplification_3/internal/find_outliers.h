@@ -49,8 +49,8 @@ void mark_far_points(const Cloud& cloud, const Neighbor_search& search, const Fe
                                                                           [&](std::size_t i)
                                                                           {
     return is_outlier[i] == 0 &&
-           (is_thick_and_sparse(features, i, least_curvature_of_volumes, sparse) ||
-            is_thick_and_sparse(features, i, curvature_of_round_volumes, rather_sparse));
+           (is_thick_and_sparse(features, i, least_variation_of_volumes, sparse) ||
+            is_thick_and_sparse(features, i, least_variation_of_round_volumes, rather_sparse));
   });
   for_each_index<ConcurrencyTag>(0, far_ones.size(),
                                  [&](std::size_t f) { is_outlier[far_ones[f]] = 1; });

@@ -71,8 +71,9 @@ private:
   // may look flat.
   bool may_be_in_cluster(std::size_t i) const
   {
-    return m_is_outlier[i] == 0 && (m_features.curvature[i] > largest_curvature_of_flat_points ||
-                                    m_features.inverse_density[i] > m_sparse);
+    return m_is_outlier[i] == 0 &&
+           (m_features.surface_variation[i] > largest_variation_of_flat_points ||
+            m_features.inverse_density[i] > m_sparse);
   }
 
   // The first point of a component is no mutual neighbor of those before it on the curve. Of most
@@ -134,14 +135,14 @@ private:
   {
     double sum = 0.; // of the curvatures
     for (std::size_t i : cluster)
-      sum += m_features.curvature[i];
+      sum += m_features.surface_variation[i];
     const double size = static_cast<double>(cluster.size());
     const bool is_thick_everywhere =
-        cluster.size() <= m_k || sum / size > least_curvature_of_volumes; // few see other parts
+        cluster.size() <= m_k || sum / size > least_variation_of_volumes; // few see other parts
     // The smallest eigenvalue of few points is smaller: of 10 Gaussian ones, 97 % have 0.042 of the
     // sum or more.
     const double least =
-        least_curvature_of_volumes * (std::min)(1., size / static_cast<double>(m_k));
+        least_variation_of_volumes * (std::min)(1., size / static_cast<double>(m_k));
     return is_thick_everywhere && lambda(0) > least * lambda.sum();
   }
 

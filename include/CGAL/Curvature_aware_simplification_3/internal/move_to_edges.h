@@ -8,11 +8,9 @@
 
 #include <CGAL/Curvature_aware_simplification_3/internal/Neighbor_search.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Neighborhood.h>
-#include <CGAL/Curvature_aware_simplification_3/internal/Noise_levels.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Progress.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Sample_neighbors.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Surface_sample.h>
-#include <CGAL/Curvature_aware_simplification_3/internal/features.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/fit_fold.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/loops.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/move_to_targets.h>
@@ -20,38 +18,12 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <cstdint>
 #include <optional>
 #include <vector>
 
 namespace CGAL {
 namespace Curvature_aware_simplification_3 {
 namespace internal {
-
-// Which points are on a surface that bends so much that there may be an edge: 1 if so. Noise alone
-// causes kappa = sigma^2 / (r^2 / 2) in a disk of radius r.
-template <typename ConcurrencyTag>
-std::vector<std::uint8_t> bent_points(const Features& features, std::size_t number_of_neighbors,
-                                      const Noise_levels& noise)
-{
-  // That of the flattest fold that counts, 45 degrees between the normals, in the middle of a disk:
-  // lambda_0 = (1/4 - 16 / (9 pi^2)) r^2 sin^2 (45 / 2 degrees). Of 90 degrees it is 0.08.
-  constexpr double least_curvature = 0.02;
-
-  std::vector<std::uint8_t> is_bent(features.curvature.size());
-  for_each_index<ConcurrencyTag>(0, is_bent.size(),
-                                 [&](std::size_t i)
-                                 {
-    const double squared_radius =
-        features.inverse_density[i] * static_cast<double>(number_of_neighbors);
-    const double sigma = noise.at(i).level;
-    is_bent[i] = features.curvature[i] * squared_radius >
-                         least_curvature * squared_radius + 2. * sigma * sigma
-                     ? 1
-                     : 0;
-  });
-  return is_bent;
-}
 
 // In spacings: a strip as wide on both sides of an edge holds 1.3 * 1.15 = 1.5 samples for each
 // spacing of its length, more than the one that it needs. Samples farther away are the first row

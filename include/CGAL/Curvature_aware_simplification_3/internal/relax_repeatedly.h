@@ -39,7 +39,7 @@ std::vector<Point> relax_repeatedly(const std::vector<Point>& initial_samples, c
   Attractors attractors{search, std::vector<double>(cloud.size())};
   for_each_index<ConcurrencyTag>(0, cloud.size(),
                                  [&](std::size_t j) {
-    attractors.weight[j] = curvature_weights.attraction(scale * features.curvature[j]);
+    attractors.weight[j] = curvature_weights.attraction(scale * features.surface_variation[j]);
   });
   if (parameters.require_uniform_sampling)
   {
@@ -55,12 +55,13 @@ std::vector<Point> relax_repeatedly(const std::vector<Point>& initial_samples, c
     double curvature = 0.;
     if (parameters.recompute_curvature) // paper, sec. 5.3
       curvature = local_features<DiagonalizeTraits>(search, x, neighborhood, cloud.coordinate_error)
-                      .curvature;
+                      .surface_variation;
     else if (nearest) // that of the nearest input point (paper, sec. 4.2)
-      curvature = features.curvature[*nearest];
+      curvature = features.surface_variation[*nearest];
     else
-      search.for_each_nearest(
-          x, 1, [&](std::size_t j, const Point&, double) { curvature = features.curvature[j]; });
+      search.for_each_nearest(x, 1,
+                              [&](std::size_t j, const Point&, double)
+                              { curvature = features.surface_variation[j]; });
     return (std::min)(scale * curvature, Curvature_weights::maximum_curvature);
   };
 

@@ -56,7 +56,7 @@ void remove_outliers(Cloud& cloud, std::unique_ptr<Neighbor_search>& search,
   is_outlier = std::vector<std::uint8_t>();
   cloud.points = elements_at<ConcurrencyTag>(kept, cloud.points);
   Features& features = shared.features;
-  features.curvature = elements_at<ConcurrencyTag>(kept, features.curvature);
+  features.surface_variation = elements_at<ConcurrencyTag>(kept, features.surface_variation);
   features.inverse_density = elements_at<ConcurrencyTag>(kept, features.inverse_density);
   kept = std::vector<std::size_t>();
   if (!are_few)

@@ -70,7 +70,8 @@ std::vector<std::size_t> select_points(const Cloud& cloud, const Features& featu
   const Selection_probability probability(
       static_cast<double>(number_of_points) / static_cast<double>(cloud.size()),
       parameters.curvature_weight, parameters.adaptivity,
-      mean<ConcurrencyTag>(cloud.size(), [&](std::size_t i) { return features.curvature[i]; }),
+      mean<ConcurrencyTag>(cloud.size(),
+                           [&](std::size_t i) { return features.surface_variation[i]; }),
       mean<ConcurrencyTag>(cloud.size(),
                            [&](std::size_t i) { return features.inverse_density[i]; }));
 
@@ -87,9 +88,10 @@ std::vector<std::size_t> select_points(const Cloud& cloud, const Features& featu
                                  [&](std::size_t j)
                                  {
     const std::size_t i = cloud.input_index[j];
-    state[i] = draw.uniform(i) < probability(features.curvature[j], features.inverse_density[j])
-                   ? DRAWN
-                   : DISTINCT;
+    state[i] =
+        draw.uniform(i) < probability(features.surface_variation[j], features.inverse_density[j])
+            ? DRAWN
+            : DISTINCT;
   });
 
   std::vector<std::size_t> selected =

@@ -30,12 +30,11 @@ namespace internal {
 struct Shared_features
 {
   Features features;
-  std::vector<std::uint8_t>
-      represented; // how many points have the features of this one, itself among
-                   // them; 0 if it has those of another one
-  std::vector<std::uint32_t>
-      votes; // of other points that have this one among the k nearest; a vote
-             // counts for all whom the voter represents, so k on average
+  // How many points have the features of this one, itself among them; 0 if it has those of another
+  std::vector<std::uint8_t> represented;
+  // Of other points that have this one among the k nearest; a vote counts for all whom the voter
+  // represents, so k on average
+  std::vector<std::uint32_t> votes;
 };
 
 // O(n (log n + k)), but k-nearest-neighbor queries for a quarter of the points only, where these
@@ -67,7 +66,7 @@ Shared_features compute_shared_features(const Cloud& cloud, const Neighbor_searc
   std::vector<std::uint8_t>& represented = shared.represented;
   const auto assign = [&](std::size_t i, const Local_features& local)
   {
-    shared.features.curvature[i] = local.curvature;
+    shared.features.surface_variation[i] = local.surface_variation;
     shared.features.inverse_density[i] = local.inverse_density;
   };
 
@@ -88,7 +87,7 @@ Shared_features compute_shared_features(const Cloud& cloud, const Neighbor_searc
                                             [&](std::size_t j, double squared_distance) {
         neighbors.push_back({j, squared_distance});
           });
-      const bool is_flat = local.curvature <= largest_curvature_of_flat_points;
+      const bool is_flat = local.surface_variation <= largest_variation_of_flat_points;
       const double limit = inner_half * local.inverse_density * static_cast<double>(size - 1);
       assign(i, local);
       is_done[i] = 1;

@@ -53,7 +53,7 @@ Distinct_samples select_without_moving(const Cloud& cloud, const Neighbor_search
   const Features features = compute_shared_features<ConcurrencyTag, DiagonalizeTraits>(
                                 cloud, search, parameters.number_of_neighbors, progress)
                                 .features;
-  report.maximum_surface_variation = largest_curvature<ConcurrencyTag>(features);
+  report.maximum_surface_variation = largest_surface_variation<ConcurrencyTag>(features);
   report.features_time = stopwatch.lap();
 
   const std::size_t number = parameters.number_of_output_points;

@@ -31,7 +31,7 @@ Distinct_samples simplify_as_in_the_paper(const Cloud& cloud, const Neighbor_sea
   const Features features = compute_features<ConcurrencyTag, DiagonalizeTraits>(
       cloud, search, parameters.number_of_neighbors, progress.part(0., 0.5));
   report.features_time = stopwatch.lap();
-  report.maximum_surface_variation = largest_curvature<ConcurrencyTag>(features);
+  report.maximum_surface_variation = largest_surface_variation<ConcurrencyTag>(features);
 
   Distinct_samples samples = distinct_samples<ConcurrencyTag>(
       cloud, select_points<ConcurrencyTag>(cloud, features, parameters));

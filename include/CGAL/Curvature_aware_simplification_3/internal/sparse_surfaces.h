@@ -43,7 +43,7 @@ inline std::size_t neighbors_within_twice_the_radius(std::size_t k)
 }
 
 // kappa of so many points around one
-inline double curvature_of_twice_the_radius(const Cloud& cloud, const Neighbor_search& search,
+inline double variation_of_twice_the_radius(const Cloud& cloud, const Neighbor_search& search,
                                             std::size_t k, std::size_t i)
 {
   Covariance_sums sums;
@@ -56,18 +56,18 @@ inline double curvature_of_twice_the_radius(const Cloud& cloud, const Neighbor_s
 
 // The median of that over these, or over 1000 of them, evenly along the curve: it need not be exact
 template <typename ConcurrencyTag>
-double median_curvature(const Cloud& cloud, const Neighbor_search& search, std::size_t k,
+double median_variation(const Cloud& cloud, const Neighbor_search& search, std::size_t k,
                         const std::vector<std::size_t>& points)
 {
   const std::size_t number_of_probes = (std::min)(std::size_t(1000), points.size());
-  std::vector<double> curvature(number_of_probes);
+  std::vector<double> variation(number_of_probes);
   for_each_index<ConcurrencyTag>(0, number_of_probes,
                                  [&](std::size_t i)
                                  {
-    curvature[i] = curvature_of_twice_the_radius(cloud, search, k,
+    variation[i] = variation_of_twice_the_radius(cloud, search, k,
                                                  points[i * points.size() / number_of_probes]);
   });
-  return median(curvature);
+  return median(variation);
 }
 
 // Whether something tells of outliers but the far points themselves. Where outliers fill the box
@@ -81,7 +81,7 @@ bool are_outliers_likely(const Cloud& cloud, const Neighbor_search& search, std:
                          const std::vector<std::size_t>& far_ones)
 {
   return number_with_few_votes > 3 + far_ones.size() / 100 || // up to three are by chance
-         median_curvature<ConcurrencyTag>(cloud, search, k, far_ones) > largest_curvature_of_parts;
+         median_variation<ConcurrencyTag>(cloud, search, k, far_ones) > largest_variation_of_parts;
 }
 
 // The share of a neighborhood whose votes such a point needs
@@ -111,7 +111,7 @@ void unmark_sparse_surfaces(const Cloud& cloud, const Neighbor_search& search,
 
   const auto is_flat_and_sparse = [&](std::size_t i)
   {
-    return is_outlier[i] == 0 && features.curvature[i] <= least_curvature_of_volumes &&
+    return is_outlier[i] == 0 && features.surface_variation[i] <= least_variation_of_volumes &&
            features.inverse_density[i] > least_inverse_density;
   };
   std::vector<std::size_t> voters = indices_where<ConcurrencyTag>(cloud.size(), is_flat_and_sparse);

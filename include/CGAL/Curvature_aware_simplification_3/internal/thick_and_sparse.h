@@ -20,24 +20,26 @@ namespace internal {
 // What tells points in space from those of a surface: these are on thin layers, and near each
 // other.
 
-// kappa of a fold of 45 degrees, and less than a tenth of that of points spread evenly in space:
-// what is next to edges, noise and outliers are not flat.
-inline constexpr double largest_curvature_of_flat_points = 0.02;
+// kappa of a fold of 45 degrees between the normals, in the middle of a disk: lambda_0 =
+// (1/4 - 16 / (9 pi^2)) r^2 sin^2 (45 / 2 degrees). It is the flattest that counts as an edge; of 90
+// degrees, it is 0.08. Of points spread evenly in space, it is ten times as much: neither what is
+// next to edges nor noise nor outliers are flat.
+inline constexpr double largest_variation_of_flat_points = 0.02;
 
 // kappa of points spread evenly in space: 0.19 on average for k = 16, and 99 % are above 0.07; that
 // of a surface is, by Gaussian noise as large as the neighborhood, about 0.1 as well.
-inline constexpr double least_curvature_of_volumes = 0.07;
+inline constexpr double least_variation_of_volumes = 0.07;
 
 // kappa of points spread evenly in space is above that for two of five, for k = 16. On a layer of
 // Gaussian noise of three quarters of the radius of a neighborhood, it is for one of eight.
-inline constexpr double curvature_of_round_volumes = 0.2;
+inline constexpr double least_variation_of_round_volumes = 0.2;
 
 // kappa of neighborhoods of twice the radius: it is mostly 0.03 to 0.15 for parts of a surface, and
 // 0.18 to 0.26 in space.
-inline constexpr double largest_curvature_of_parts = 0.15;
+inline constexpr double largest_variation_of_parts = 0.15;
 
 // The same at the border of a volume is that of a half ball, 0.13.
-inline constexpr double least_curvature_at_borders_of_volumes = 0.12;
+inline constexpr double least_variation_at_borders_of_volumes = 0.12;
 
 // Points with more than this 1/rho are so sparse that they may be outliers: 3 times the median
 // radius
@@ -59,10 +61,10 @@ inline double rather_far_inverse_density(const std::vector<double>& inverse_dens
   return rather_far * rather_far * far_inverse_density(inverse_density);
 }
 
-inline bool is_thick_and_sparse(const Features& features, std::size_t i, double curvature,
+inline bool is_thick_and_sparse(const Features& features, std::size_t i, double variation,
                                 double inverse_density)
 {
-  return features.curvature[i] > curvature && features.inverse_density[i] > inverse_density;
+  return features.surface_variation[i] > variation && features.inverse_density[i] > inverse_density;
 }
 
 } // namespace internal
