@@ -52,8 +52,8 @@ TEST(Depth_levels, have_heights_and_gaps)
   EXPECT_EQ(levels.step_at(-1.), 0.5);
   EXPECT_EQ(levels.typical_step(), 0.5);
 
-  // outliers between the levels are a fifth of the points, and one more is too many
-  for (int i = 0; i < 50; ++i)
+  // outliers between the levels are a tenth of the points, and one more is too many
+  for (int i = 0; i < 22; ++i)
     points.emplace_back(0.1 + 0.0713 * i, 0., 0.);
   EXPECT_EQ(levels_along<Tag>(x, 0.001, points).heights.size(), 20u);
   points.emplace_back(0.12, 0., 0.);
@@ -100,7 +100,7 @@ TEST(Depth_levels, are_not_found_elsewhere)
   inputs.emplace_back("dense", surfaces::torus(300000, 3., 1., 62));
   inputs.emplace_back("faces of a cube", cube(40000, 63));
 
-  std::vector<Point> plate, stairs, bare_stairs, lattice, voxels, slices;
+  std::vector<Point> plate, stairs, low_stairs, bare_stairs, lattice, voxels, slices;
   for (int i = 0; i < 40000; ++i)
     plate.emplace_back(anywhere(200.), anywhere(200.), i % 2 == 0 ? 0. : 3.);
   inputs.emplace_back("two sides of a plate", plate);
@@ -114,7 +114,15 @@ TEST(Depth_levels, are_not_found_elsewhere)
       stairs.emplace_back(along, 10. * stair, 3. * stair - anywhere(3.));
     bare_stairs.emplace_back(along, 60. * stair + 6. * across, 3. * stair);
   }
+  for (int i = 0; i < 5600; ++i)
+  {
+    const int stair = i % 20;
+    const double over_edge = anywhere(14.) - 12.;
+    low_stairs.emplace_back(anywhere(20.), 12. * stair + (std::min)(over_edge, 0.),
+                            2. * stair - (std::max)(over_edge, 0.));
+  }
   inputs.emplace_back("stairs", stairs);
+  inputs.emplace_back("low stairs", low_stairs);
   inputs.emplace_back("wide stairs without fronts", bare_stairs);
   for (int i = 0; i <= 60; ++i)
     for (int j = 0; j <= 60; ++j)

@@ -4,8 +4,8 @@
 
 #include <CGAL/Curvature_aware_simplification_3/internal/Cloud.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Neighborhood.h>
-#include <CGAL/Curvature_aware_simplification_3/internal/features.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/bent_points.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/features.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/fit_fold.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/move_to_corners.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/move_to_edges.h>
