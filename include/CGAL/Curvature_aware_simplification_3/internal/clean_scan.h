@@ -75,8 +75,6 @@ Clean_scan clean_scan(Cloud cloud, std::unique_ptr<Neighbor_search> search,
   const std::size_t number_of_samples = parameters.number_of_output_points;
   const std::size_t distinct = cloud.size();
   const std::size_t k = neighborhood_size(parameters.number_of_neighbors, distinct) - 1;
-  cloud.input_index = std::vector<std::size_t>(); // where points come from is not asked any more
-  cloud.duplicates = std::vector<Duplicate>();
 
   Stopwatch stopwatch;
   Depth_levels depth_levels;
@@ -90,6 +88,8 @@ Clean_scan clean_scan(Cloud cloud, std::unique_ptr<Neighbor_search> search,
   report.maximum_surface_variation = largest_surface_variation<ConcurrencyTag>(shared.features);
   report.features_time = stopwatch.lap();
 
+  cloud.input_index = std::vector<std::size_t>(); // where points come from is not asked any more
+  cloud.duplicates = std::vector<Duplicate>();
   if (settings.find_outliers)
     remove_outliers<ConcurrencyTag>(cloud, search, shared, k, number_of_samples, settings);
   report.number_of_outliers = distinct - cloud.size();
