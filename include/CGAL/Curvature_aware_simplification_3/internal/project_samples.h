@@ -21,7 +21,6 @@
 #include <CGAL/Curvature_aware_simplification_3/internal/prefix_sums.h>
 
 #include <cstddef>
-#include <cstdint>
 #include <vector>
 
 namespace CGAL {
