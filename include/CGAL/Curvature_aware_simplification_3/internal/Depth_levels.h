@@ -93,8 +93,9 @@ Depth_levels levels_along(const Vector& direction, double tolerance,
                           const std::vector<Point>& points)
 {
   constexpr std::size_t fewest_points = 8, fewest_levels = 10;
-  // The others may be outliers. Of stairs, a seventh or more is on the fronts: steps of a surface
-  // are at most 5.7 times as wide as high where it is oblique enough, and edges count as well.
+  // The others may be outliers, or on the fronts of stairs: where a surface is 10 degrees oblique,
+  // steps are 5.7 times as wide as high, and fronts have a seventh of the points. With 0.8, 34 of
+  // 360 clean stairs are taken for levels, with 0.9 none.
   constexpr double least_share = 0.9;
 
   Depth_levels levels;

@@ -57,7 +57,8 @@ inline bool is_off_plane_of_neighbors(const Cloud& cloud, const Neighbor_search&
 class Outlier_votes
 {
 public:
-  // Marks are set, and votes of marked points taken back, by the functions below only.
+  // `is_outlier` has the marks, which others may set as well. Marked points do not count as voters
+  // when votes are asked for one by one, but their votes remain until they are taken back.
   template <typename ConcurrencyTag>
   Outlier_votes(const Cloud& cloud, const Neighbor_search& search, const Shared_features& shared,
                 std::size_t k, const Adaptive_settings& settings,
