@@ -160,9 +160,7 @@ curvature_aware_random_simplify_point_set(const PointRange& points, OutputIterat
   {
     const Progress progress(parameters.callback);
     progress.report(0.);
-    const Cloud cloud = make_cloud<ConcurrencyTag>(
-        read_coordinates(points, Types::NP_helper::get_const_point_map(points, np)),
-        relative_rounding_error<typename Types::Geom_traits::FT>());
+    const Cloud cloud = read_cloud<ConcurrencyTag>(points, np);
     const Neighbor_search search(cloud.points, ConcurrencyTag());
     const Features features = compute_features<ConcurrencyTag, typename Types::Diagonalize_traits>(
         cloud, search, parameters.number_of_neighbors, progress.part(0., 0.9));

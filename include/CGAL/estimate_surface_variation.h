@@ -115,9 +115,7 @@ bool estimate_surface_variation(PointRange& points, std::size_t k,
   {
     const Progress progress(callback);
     progress.report(0.);
-    const Cloud cloud = make_cloud<ConcurrencyTag>(
-        read_coordinates(points, Types::NP_helper::get_const_point_map(points, np)),
-        relative_rounding_error<typename Types::Geom_traits::FT>());
+    const Cloud cloud = read_cloud<ConcurrencyTag>(points, np);
     const Neighbor_search search(cloud.points, ConcurrencyTag());
     const Features features = compute_features<ConcurrencyTag, typename Types::Diagonalize_traits>(
         cloud, search, k, progress);

@@ -40,6 +40,7 @@ Neighborhood neighborhood_of(const std::vector<Point>& points, const Point& cent
 {
   Neighborhood neighborhood;
   neighborhood.collect(Neighbor_search(points, Tag()), center, k);
+  neighborhood.weight_by_distance();
   return neighborhood;
 }
 
@@ -69,7 +70,7 @@ TEST(Fold, is_fitted_exactly)
     {
       const std::vector<Point> points = folded(1000, 80, angle);
       const Point center(std::min(x, x * std::cos(angle)), 0.1, x > 0. ? -x * std::sin(angle) : 0.);
-      Neighborhood neighborhood = neighborhood_of(points, center, 33);
+      const Neighborhood neighborhood = neighborhood_of(points, center, 33);
       Fold fold;
       ASSERT_TRUE(fit_fold(neighborhood, 0.03 * neighborhood.radius, fold)) << angle << ' ' << x;
       const Point on_edge = center + fold.way_to_edge(Vector(0., 0., 0.));
@@ -83,7 +84,7 @@ TEST(Fold, is_fitted_to_noisy_points)
 {
   const double sigma = 0.004;
   const std::vector<Point> points = with_noise(folded(3000, 81, 1.57), sigma, 82);
-  Neighborhood neighborhood = neighborhood_of(points, Point(0., 0., 0.), 97);
+  const Neighborhood neighborhood = neighborhood_of(points, Point(0., 0., 0.), 97);
   Fold fold;
   ASSERT_TRUE(fit_fold(neighborhood, 3. * sigma, fold));
   const Vector way = fold.way_to_edge(Vector(0., 0., 0.));
@@ -95,7 +96,7 @@ TEST(Fold, is_not_fitted_to_other_surfaces)
 {
   const auto has_fold = [](const std::vector<Point>& points, const Point& center, double noise)
   {
-    Neighborhood neighborhood = neighborhood_of(points, center, 33);
+    const Neighborhood neighborhood = neighborhood_of(points, center, 33);
     Fold fold;
     return fit_fold(neighborhood, std::max(0.03 * neighborhood.radius, 3. * noise), fold);
   };

@@ -116,8 +116,8 @@ TEST(Thinning, keeps_a_neighborhood_in_each_ball_where_points_are_smoothed)
   EXPECT_EQ(kept_before(10000), 10000);
   EXPECT_NEAR(static_cast<double>(kept_before(20000)), 10000. + 10000. * 25. / 192., 1.);
   EXPECT_NEAR(static_cast<double>(kept_before(30000)), 10000. + 20000. * 25. / 192., 1.);
-  EXPECT_EQ(thinned.number[5000], 1.);
-  EXPECT_NEAR(thinned.number.back(), 192. / 25., 1e-12);
+  EXPECT_EQ(thinned.inverse_density[5000], inverse_density[0]);
+  EXPECT_NEAR(thinned.inverse_density.back() / inverse_density[0], 192. / 25., 1e-12);
 
   const Noise_levels left = noise.of_some(thinned.kept);
   for (std::size_t i = 0; i < thinned.kept.size(); i += 7)
@@ -136,8 +136,10 @@ TEST(Thinning, keeps_two_points_for_each_sample)
     EXPECT_NEAR(static_cast<double>(thinned.kept.size()),
                 (std::min)((std::max)(2. * static_cast<double>(samples), 10000.), 30000.), 1.);
     EXPECT_TRUE(std::is_sorted(thinned.kept.begin(), thinned.kept.end()));
-    const double all = std::accumulate(thinned.number.begin(), thinned.number.end(), 0.);
-    EXPECT_NEAR(all, samples == 5000 ? 10000. : 30000., 10.) << samples; // no noisy one of 10,000
+    const double all =
+        std::accumulate(thinned.inverse_density.begin(), thinned.inverse_density.end(), 0.);
+    EXPECT_NEAR(all / inverse_density[0], samples == 5000 ? 10000. : 30000., 10.)
+        << samples; // no noisy one of 10,000
   }
 }
 

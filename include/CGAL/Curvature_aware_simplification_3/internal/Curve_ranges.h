@@ -13,9 +13,11 @@ namespace Curvature_aware_simplification_3 {
 namespace internal {
 
 // The points along the Hilbert curve in ranges of equally many, up to one: compact parts of the
-// surface, each with measures of its own. There is at least one range, and fewer than 2^32.
+// surface, each with measures of its own. There is at least one range.
 struct Curve_ranges
 {
+  static constexpr std::size_t most = 0xffffffff; // ranges: products of two are below 2^64
+
   std::size_t number;
   std::size_t number_of_points;
 
@@ -44,6 +46,13 @@ struct Curve_ranges
 
   std::size_t size(std::size_t range) const { return first_point(range + 1) - first_point(range); }
 };
+
+// The middle of the i-th of some equal parts of n places along the curve: for measures that a few
+// of them tell
+inline std::size_t middle_of_part(std::size_t i, std::size_t number_of_parts, std::size_t n)
+{
+  return (2 * i + 1) * n / (2 * number_of_parts);
+}
 
 } // namespace internal
 } // namespace Curvature_aware_simplification_3

@@ -7,9 +7,9 @@
 #define CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_DEPTH_LEVELS_H
 
 #include <CGAL/Curvature_aware_simplification_3/internal/Neighbor_search.h>
-#include <CGAL/Curvature_aware_simplification_3/internal/equal_points.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/loops.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/median.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/sort.h>
 
 #include <CGAL/Origin.h>
 

@@ -17,6 +17,23 @@ namespace CGAL {
 namespace Curvature_aware_simplification_3 {
 namespace internal {
 
+// (1 - r^2 / R^2)^2: smooth, and 0 at the border, so that a point that enters a neighborhood makes no
+// difference. One that is alone on the border keeps a trace of weight.
+class Weight_by_distance
+{
+public:
+  explicit Weight_by_distance(double radius) : m_factor(1. / (1.0001 * radius * radius)) {}
+
+  double operator()(double squared_distance) const
+  {
+    const double t = 1. - m_factor * squared_distance;
+    return t * t;
+  }
+
+private:
+  double m_factor;
+};
+
 // The nearest input points of a point, relative to it, and the weight of each in a fit. Made to be
 // reused, so that a thread allocates memory once.
 struct Neighborhood
@@ -92,18 +109,12 @@ struct Neighborhood
     weight_by_distance([](const Neighbor& neighbor) { return neighbor.squared_distance; });
   }
 
-  // (1 - r^2 / R^2)^2 by the squared distances that `squared_distance(neighbor)` tells: smooth, and
-  // 0 at the border, so that a point that enters the neighborhood makes no difference. One that is
-  // alone on the border keeps a trace of weight.
   template <typename Squared_distance>
   void weight_by_distance(const Squared_distance& squared_distance)
   {
-    const double factor = 1. / (1.0001 * radius * radius);
+    const Weight_by_distance weight(radius);
     for (Neighbor& neighbor : neighbors)
-    {
-      const double t = 1. - factor * squared_distance(neighbor);
-      neighbor.weight = t * t;
-    }
+      neighbor.weight = weight(squared_distance(neighbor));
   }
 };
 

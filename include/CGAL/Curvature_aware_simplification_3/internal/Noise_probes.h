@@ -6,6 +6,7 @@
 #ifndef CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_NOISE_PROBES_H
 #define CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_NOISE_PROBES_H
 
+#include <CGAL/Curvature_aware_simplification_3/internal/Curve_ranges.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Layer.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Neighbor_search.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/loops.h>
@@ -47,14 +48,14 @@ Noise_probes noise_probes(const std::vector<Point>& points)
   Noise_probes probes;
   const std::size_t number = (std::min)(most, points.size());
   for (std::size_t i = 0; i < number; ++i)
-    probes.points.push_back(points[(2 * i + 1) * points.size() / (2 * number)]);
+    probes.points.push_back(points[middle_of_part(i, number, points.size())]);
   const std::size_t ranges = (std::max)(number / in_range, std::size_t(1));
   probes.of_range.resize(ranges);
   const Neighbor_search search(probes.points, ConcurrencyTag());
   for_each_index<ConcurrencyTag>(0, ranges,
                                  [&](std::size_t range)
                                  {
-    const Point& middle = probes.points[(2 * range + 1) * number / (2 * ranges)];
+    const Point& middle = probes.points[middle_of_part(range, ranges, number)];
     search.for_each_nearest(middle, (std::min)(in_median, number),
                             [&](std::size_t i, const Point&, double)
                             { probes.of_range[range].push_back(i); });

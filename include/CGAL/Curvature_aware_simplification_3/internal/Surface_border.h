@@ -39,19 +39,20 @@ struct Surface_border
 
 // The mean of the neighbors lies 0.29 R off the center of a half disk, and 0.1 R off that of a disk
 // of 18 random points. Wrongly found borders do no harm: the input's extent is a limit everywhere.
-inline Surface_border find_border(Neighborhood& neighborhood, const Local_surface& surface)
+inline Surface_border find_border(const Neighborhood& neighborhood, const Local_surface& surface)
 {
   Surface_border border;
   if (!(neighborhood.radius > 0.))
     return border;
   const Vector offset = neighborhood.center - surface.origin;
-  neighborhood.weight_by_distance();
+  const Weight_by_distance weight_by_distance(neighborhood.radius); // whatever the fit left out
   Vector weighted(0., 0., 0.);
   double sum = 0.;
   for (const Neighborhood::Neighbor& neighbor : neighborhood.neighbors)
   {
-    weighted = weighted + neighbor.weight * neighbor.position;
-    sum += neighbor.weight;
+    const double weight = weight_by_distance(neighbor.squared_distance);
+    weighted = weighted + weight * neighbor.position;
+    sum += weight;
   }
   weighted = weighted + sum * offset;
   const double x = weighted * surface.u, y = weighted * surface.v;

@@ -35,7 +35,7 @@ struct Surface_fit
 
 // 18 neighbors, two rings around a point: three for each coefficient of a quadric
 inline constexpr std::size_t smallest_neighborhood = 19;
-// Four doublings above. Then noise is down to sigma / 6, and time grows faster than accuracy.
+// Four doublings above. Then noise is down to sigma / 7, and time grows faster than accuracy.
 inline constexpr std::size_t largest_neighborhood = 16 * 18 + 1;
 // Where a ball surely holds more than are taken, it does not matter how many more.
 inline constexpr double too_many_neighbors = 2. * largest_neighborhood;

@@ -9,38 +9,21 @@
 #include <CGAL/Curvature_aware_simplification_3/internal/Neighbor_search.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/loops.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/prefix_sums.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/sort.h>
 
 #include <boost/functional/hash.hpp>
-
-#ifdef CGAL_LINKED_WITH_TBB
-#include <tbb/parallel_sort.h>
-#endif
 
 #include <algorithm>
 #include <array>
 #include <atomic>
 #include <cstddef>
 #include <cstdint>
-#include <type_traits>
 #include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace Curvature_aware_simplification_3 {
 namespace internal {
-
-template <typename ConcurrencyTag, typename T>
-void sort(std::vector<T>& values)
-{
-#ifdef CGAL_LINKED_WITH_TBB
-  if (std::is_convertible<ConcurrencyTag, Parallel_tag>::value)
-  {
-    tbb::parallel_sort(values.begin(), values.end());
-    return;
-  }
-#endif
-  std::sort(values.begin(), values.end());
-}
 
 // Which values occurred, and which of them more than once: two bits each. Threads may add values at
 // the same time, and what is found does not depend on their order.

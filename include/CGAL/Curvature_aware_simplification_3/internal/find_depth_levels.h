@@ -6,6 +6,7 @@
 #ifndef CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_FIND_DEPTH_LEVELS_H
 #define CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_FIND_DEPTH_LEVELS_H
 
+#include <CGAL/Curvature_aware_simplification_3/internal/Curve_ranges.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Depth_levels.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Layer.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Nearest_line.h>
@@ -65,7 +66,7 @@ std::vector<Facet> some_facets(const std::vector<Point>& points, const Neighbor_
   std::vector<Facet> facets((std::min)(most, points.size()));
   for_each_index<ConcurrencyTag>(0, facets.size(),
                                  [&](std::size_t i) {
-    facets[i] = facet_around(search, points[(2 * i + 1) * points.size() / (2 * facets.size())]);
+    facets[i] = facet_around(search, points[middle_of_part(i, facets.size(), points.size())]);
   });
   return facets;
 }

@@ -20,9 +20,9 @@ namespace CGAL {
 namespace Curvature_aware_simplification_3 {
 namespace internal {
 
-// Whether two planes explain the neighbors, and better than a quadric, which has as many
+// Whether two planes explain the weighted neighbors, and better than a quadric, which has as many
 // parameters. `tolerance` is how far from its plane a point may be.
-inline bool fit_fold(Neighborhood& neighborhood, double tolerance, Fold& fold)
+inline bool fit_fold(const Neighborhood& neighborhood, double tolerance, Fold& fold)
 {
   // Others may be on a third face, or where an edge is rounded.
   constexpr double explained = 0.8;
@@ -33,7 +33,6 @@ inline bool fit_fold(Neighborhood& neighborhood, double tolerance, Fold& fold)
   // triangles, and a quadric follows them
   constexpr double flattest = 0.7071;
 
-  neighborhood.weight_by_distance();
   Local_surface quadric;
   if (!fit_quadric_over_plane(neighborhood, 0., quadric))
     return false;

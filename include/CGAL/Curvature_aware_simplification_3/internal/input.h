@@ -6,6 +6,7 @@
 #ifndef CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_INPUT_H
 #define CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_INPUT_H
 
+#include <CGAL/Curvature_aware_simplification_3/internal/Cloud.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Neighbor_search.h>
 
 #include <CGAL/Default_diagonalize_traits.h>
@@ -72,6 +73,16 @@ std::vector<Point> read_coordinates(const PointRange& points, const PointMap& po
                                   " has a coordinate that is not finite");
   }
   return coordinates;
+}
+
+// What the stages see of a point range
+template <typename ConcurrencyTag, typename PointRange, typename NamedParameters>
+Cloud read_cloud(const PointRange& points, const NamedParameters& np)
+{
+  using Types = Input_types<PointRange, NamedParameters>;
+  return make_cloud<ConcurrencyTag>(
+      read_coordinates(points, Types::NP_helper::get_const_point_map(points, np)),
+      relative_rounding_error<typename Types::Geom_traits::FT>());
 }
 
 } // namespace internal

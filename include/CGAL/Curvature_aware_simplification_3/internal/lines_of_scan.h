@@ -26,7 +26,7 @@ namespace internal {
 // Whether the neighbors do not tell the height at the center, whatever is left out of them: noise
 // would be larger there than at a point, and visibly so. The center is between two lines of a scan,
 // whose lines are farther apart than the points on them; of 19 random points, less than 1 % are so
-// badly placed.
+// badly placed. The neighbors are left weighted by their distance.
 inline bool is_between_lines(const Surface_fit& fit, Neighborhood& neighborhood,
                              const Local_surface& surface)
 {
@@ -84,7 +84,7 @@ inline double width_across_parabola(const Neighborhood& neighborhood, const Loca
 
 // Whether the neighbors are on one line that bends. Those on a line that bends more than a parabola
 // tells are half in the inner half of the ball, of a surface only a quarter; with as few as 19,
-// chance would decide.
+// chance would decide. The neighbors are left weighted by their distance.
 inline bool is_on_bent_line(Neighborhood& neighborhood, const Local_surface& surface)
 {
   constexpr double between = 3. / 8.;

@@ -51,9 +51,7 @@ OutputIterator simplify_point_set(const PointRange& points, OutputIterator outpu
   try
   {
     progress.report(0.);
-    Cloud cloud = make_cloud<ConcurrencyTag>(
-        read_coordinates(points, Types::NP_helper::get_const_point_map(points, np)),
-        relative_rounding_error<FT>());
+    Cloud cloud = read_cloud<ConcurrencyTag>(points, np);
     auto search = std::make_unique<Neighbor_search>(cloud.points, ConcurrencyTag());
     report.sorting_time = stopwatch.lap();
 

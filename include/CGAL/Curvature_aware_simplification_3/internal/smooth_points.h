@@ -138,7 +138,6 @@ Noise_levels smooth_points(std::vector<Point>& points, std::vector<double>& inve
   const std::size_t kept = thinned.kept.size();
   std::vector<Point> smoothed(kept);
   std::vector<double> variance(kept);
-  std::vector<double>& inverse_density_of_kept = thinned.number; // which it takes the place of
   std::vector<std::uint8_t> is_kept_bent(kept);
   for_each_index<ConcurrencyTag>(kept, progress,
                                  [&](std::size_t i)
@@ -148,11 +147,10 @@ Noise_levels smooth_points(std::vector<Point>& points, std::vector<double>& inve
         smooth_point(fit.with(noise.at(j)), points[j], inverse_density[j], spacing_of_samples);
     smoothed[i] = result.point;
     variance[i] = result.variance;
-    inverse_density_of_kept[i] *= inverse_density[j];
     is_kept_bent[i] = is_bent[j];
   });
   points.swap(smoothed);
-  inverse_density.swap(inverse_density_of_kept);
+  inverse_density.swap(thinned.inverse_density);
   is_bent.swap(is_kept_bent);
   return noise_left<ConcurrencyTag>(noise, thinned.kept, variance);
 }

@@ -11,7 +11,7 @@
 #include <CGAL/Curvature_aware_simplification_3/internal/Neighbor_search.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/features.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/loops.h>
-#include <CGAL/Curvature_aware_simplification_3/internal/median.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/median_of_some.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/prefix_sums.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/principal_axes.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/shared_features.h>
@@ -54,20 +54,15 @@ inline double variation_of_twice_the_radius(const Cloud& cloud, const Neighbor_s
   return lambda(0) / lambda.sum();
 }
 
-// The median of that over these, or over 1000 of them, evenly along the curve: it need not be exact
+// The median of that over these
 template <typename ConcurrencyTag>
 double median_variation(const Cloud& cloud, const Neighbor_search& search, std::size_t k,
                         const std::vector<std::size_t>& points)
 {
-  const std::size_t number_of_probes = (std::min)(std::size_t(1000), points.size());
-  std::vector<double> variation(number_of_probes);
-  for_each_index<ConcurrencyTag>(0, number_of_probes,
-                                 [&](std::size_t i)
-                                 {
-    variation[i] = variation_of_twice_the_radius(cloud, search, k,
-                                                 points[i * points.size() / number_of_probes]);
+  return median_of_some<ConcurrencyTag>(points.size(), 1000,
+                                        [&](std::size_t i) {
+    return variation_of_twice_the_radius(cloud, search, k, points[i]);
   });
-  return median(variation);
 }
 
 // Whether something tells of outliers but the far points themselves. Where outliers fill the box

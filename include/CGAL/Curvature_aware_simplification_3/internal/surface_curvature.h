@@ -20,7 +20,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -35,6 +34,14 @@ struct Surface_curvature
   std::vector<double> area_of_point;      // that each of them stands for, more on borders
   std::vector<double> curvature;          // up to a constant
   std::vector<double> possible_curvature; // which the noise may hide
+
+  explicit Surface_curvature(const Curve_ranges& curve_ranges)
+    : ranges(curve_ranges),
+      area(ranges.number),
+      area_of_point(ranges.number),
+      curvature(ranges.number),
+      possible_curvature(ranges.number)
+  {}
 };
 
 // Of means of the curvature: a few large values do not decide them. It is that of the default
@@ -42,10 +49,55 @@ struct Surface_curvature
 // parts would get less of a density that is nearly uniform.
 inline constexpr double order_of_mean = 2. / 3.;
 
+// How many pieces a ball of `radius` holds: where `area` is that of one, and `points` the number of
+// its points
+inline std::size_t pieces_in_ball(double radius, double area, double points)
+{
+  // Pieces are small against the balls, about 16 in each. Where the input is sparse, balls hold no
+  // fewer than 4, which is one piece to each side, and no fewer points than about 17, so that the
+  // height over their plane is more than chance; where it is dense, no more than 64, which say as
+  // much as all. With half or twice as many pieces or points, the mean error of what is made of it
+  // is the same to 1 %.
+  constexpr double fewest = 4., most = 64., fewest_points = 17.;
+  if (!(radius > 0.)) // an area may vanish where squares of coordinates underflow
+    return static_cast<std::size_t>(fewest);
+  const double wanted =
+      (std::max)({CGAL_PI * radius * radius / area, fewest, fewest_points / points});
+  return static_cast<std::size_t>((std::min)(wanted, most));
+}
+
+struct Local_curvature
+{
+  double curvature = 0., possible_curvature = 0.;
+};
+
+// From how far the points around are off a plane. Beyond the noise, and two standard deviations of
+// what the points say of it, so that noise alone is taken for flat. But it may hide so much.
+inline Local_curvature curvature_of(const Deviation& deviation, double sigma)
+{
+  if (!(deviation.trace > 0.))
+    return Local_curvature();
+  const double variance = sigma * sigma;
+  const double signal = deviation.squared_height - variance;
+  const double hidden = 2. * variance * std::sqrt(2. / deviation.number);
+  return {std::sqrt((std::max)(signal - hidden, 0.)) / deviation.trace,
+          std::sqrt((std::max)(signal, hidden)) / deviation.trace};
+}
+
+// On a border, samples stand for half a cell: the area counts twice, as that of the ball does, on
+// one side of which there are no points. The mean of half a disk is 4 r / 3 pi off its center.
+inline double area_of_point(const Deviation& deviation)
+{
+  const double one_sided = deviation.trace > 0. ? (9. * CGAL_PI * CGAL_PI / 32. - 1.) *
+                                                      deviation.squared_offset / deviation.trace
+                                                : 0.;
+  return (1. + one_sided) * deviation.area / deviation.number;
+}
+
 // The curvature at the distance of the samples, by how far the points of a ball are off a plane: in
 // balls with a radius R of 1.5 spacings, it is sqrt(lambda_0) / R^2 up to a constant. From
 // lambda_0, sigma^2 is taken off for the noise. R is 3 sigma at least; what is sparse or dense has
-// larger or smaller balls, as below.
+// larger or smaller balls.
 template <typename ConcurrencyTag>
 Surface_curvature surface_curvature(const std::vector<Point>& points,
                                     const std::vector<double>& inverse_density,
@@ -53,23 +105,18 @@ Surface_curvature surface_curvature(const std::vector<Point>& points,
                                     const Noise_levels& noise, double coordinate_error,
                                     const Adaptive_settings& settings, const Progress& progress)
 {
-  // Pieces are small against the balls, about 16 in each. Where the input is sparse, balls hold no
-  // fewer than 4, which is one piece to each side, and no fewer points than about 17, so that the
-  // height over their plane is more than chance; where it is dense, no more than 64, which say as
-  // much as all. With half or twice as many pieces or points, the mean error of what is made of it
-  // is the same to 1 %.
-  constexpr double fewest_pieces = 4., most_pieces = 64., fewest_points = 17.;
   // Ranges of the Hilbert curve, about one for each sample, represented by the point in its middle.
   // Each is two pieces, unless these would be of fewer than two points, which saves nothing.
   const std::size_t n = points.size();
-  const Curve_ranges ranges{(std::min)(n, number_of_samples), n};
+  const Curve_ranges ranges{(std::min)({n, number_of_samples, Curve_ranges::most / 2}), n};
   const std::size_t pieces_in_range = n / ranges.number < 4 ? 1 : 2;
   const std::vector<Surface_piece> pieces =
       surface_pieces<ConcurrencyTag>(points, inverse_density, pieces_in_range * ranges.number);
 
+  Surface_curvature result(ranges);
   std::vector<Point> centers(ranges.number);
-  std::vector<double> sigma(ranges.number), area(ranges.number);
-  std::vector<std::size_t> pieces_in_ball(ranges.number);
+  std::vector<double> sigma(ranges.number);
+  std::vector<std::size_t> number_of_pieces(ranges.number);
   for_each_index<ConcurrencyTag>(0, ranges.number,
                                  [&](std::size_t i)
                                  {
@@ -77,54 +124,32 @@ Surface_curvature surface_curvature(const std::vector<Point>& points,
     centers[i] = points[middle];
     sigma[i] = noise.at(middle).level;
     for (std::size_t piece = pieces_in_range * i; piece < pieces_in_range * (i + 1); ++piece)
-      area[i] += pieces[piece].area;
-    const double pieces_per_area = static_cast<double>(pieces_in_range) / area[i];
-    const double points_in_piece =
-        static_cast<double>(ranges.size(i)) / static_cast<double>(pieces_in_range);
-    const double radius = (std::max)(settings.curvature_radius * spacing, 3. * sigma[i]);
-    // an area may vanish where squares of coordinates underflow
-    const double wanted = radius > 0. ? (std::max)({CGAL_PI * radius * radius * pieces_per_area,
-                                                    fewest_pieces, fewest_points / points_in_piece})
-                                      : fewest_pieces;
-    pieces_in_ball[i] =
-        (std::min)(static_cast<std::size_t>((std::min)(wanted, most_pieces)), pieces.size());
+      result.area[i] += pieces[piece].area;
+    const double in_range = static_cast<double>(pieces_in_range);
+    const std::size_t wanted =
+        pieces_in_ball((std::max)(settings.curvature_radius * spacing, 3. * sigma[i]),
+                       result.area[i] / in_range, static_cast<double>(ranges.size(i)) / in_range);
+    number_of_pieces[i] = (std::min)(wanted, pieces.size());
   });
-  const Surface_balls balls(centers, pieces, pieces_in_ball, progress, ConcurrencyTag());
+  const Surface_balls balls(centers, pieces, number_of_pieces, progress, ConcurrencyTag());
 
-  std::vector<double> area_of_point(ranges.number), curvature(ranges.number),
-      possible_curvature(ranges.number);
   for_each_index<ConcurrencyTag>(0, ranges.number,
                                  [&](std::size_t i)
                                  {
     const Deviation deviation =
         deviation_from_plane(pieces, balls.of(i), centers[i], coordinate_error);
-    // Beyond the noise, and two standard deviations of what the points say of it, so that noise
-    // alone is taken for flat. But it may hide so much.
-    const double variance = sigma[i] * sigma[i];
-    const double signal = deviation.squared_height - variance;
-    const double hidden = 2. * variance * std::sqrt(2. / deviation.number);
-    // sqrt(lambda_0) / r^2 up to a constant
-    if (deviation.trace > 0.)
-    {
-      curvature[i] = std::sqrt((std::max)(signal - hidden, 0.)) / deviation.trace;
-      possible_curvature[i] = std::sqrt((std::max)(signal, hidden)) / deviation.trace;
-    }
-    // On a border, samples stand for half a cell: the area counts twice, as that of the ball does,
-    // on one side of which there are no points. The mean of half a disk is 4 r / 3 pi off its
-    // center.
-    const double one_sided = deviation.trace > 0. ? (9. * CGAL_PI * CGAL_PI / 32. - 1.) *
-                                                        deviation.squared_offset / deviation.trace
-                                                  : 0.;
-    area_of_point[i] = (1. + one_sided) * deviation.area / deviation.number;
+    const Local_curvature local = curvature_of(deviation, sigma[i]);
+    result.curvature[i] = local.curvature;
+    result.possible_curvature[i] = local.possible_curvature;
+    result.area_of_point[i] = area_of_point(deviation);
   });
 
   // Reconstruction wants spacings that vary slowly, and where they change at once, the relaxation
   // takes long.
   if (settings.average_curvature)
-    curvature =
-        mean_over_balls<ConcurrencyTag>(curvature, order_of_mean, pieces, pieces_in_range, balls);
-  return {ranges, std::move(area), std::move(area_of_point), std::move(curvature),
-          std::move(possible_curvature)};
+    result.curvature = mean_over_balls<ConcurrencyTag>(result.curvature, order_of_mean, pieces,
+                                                       pieces_in_range, balls);
+  return result;
 }
 
 } // namespace internal

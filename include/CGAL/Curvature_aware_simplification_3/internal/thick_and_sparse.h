@@ -7,9 +7,8 @@
 #define CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_THICK_AND_SPARSE_H
 
 #include <CGAL/Curvature_aware_simplification_3/internal/features.h>
-#include <CGAL/Curvature_aware_simplification_3/internal/median.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/median_of_some.h>
 
-#include <algorithm>
 #include <cstddef>
 #include <vector>
 
@@ -46,12 +45,9 @@ inline constexpr double least_variation_at_borders_of_volumes = 0.12;
 inline double far_inverse_density(const std::vector<double>& inverse_density)
 {
   constexpr double far_radius = 3.;
-  // the median of some points, evenly along the curve: it need not be exact
-  const std::size_t number_of_probes = (std::min)(std::size_t(10000), inverse_density.size());
-  std::vector<double> probes(number_of_probes);
-  for (std::size_t i = 0; i < number_of_probes; ++i)
-    probes[i] = inverse_density[i * inverse_density.size() / number_of_probes];
-  return far_radius * far_radius * median(probes);
+  return far_radius * far_radius *
+         median_of_some<Sequential_tag>(inverse_density.size(), 10000,
+                                        [&](std::size_t i) { return inverse_density[i]; });
 }
 
 // 1/rho of points with twice the median radius, most of which are on sparse parts of a surface

@@ -38,10 +38,12 @@ inline double smoothing_radius(const Noise& noise, double spacing_of_samples)
   return (std::min)(worth, 4. * noise.level);
 }
 
+// The indices of some of the points, in order, and 1/rho of each of them: it stands for those that
+// are left out as well
 struct Thinned_points
 {
-  std::vector<std::size_t> kept; // in order
-  std::vector<double> number;    // how many points each of them stands for
+  std::vector<std::size_t> kept;
+  std::vector<double> inverse_density;
 };
 
 // The part of the points that is enough to smooth all: those in the ball that smooths one are all
@@ -105,9 +107,13 @@ Thinned_points thin_points(const std::vector<double>& inverse_density, const Noi
   Thinned_points result;
   result.kept = indices_where<ConcurrencyTag>(
       n, [&](std::size_t i) { return std::floor(sum[i]) > std::floor(i > 0 ? sum[i - 1] : 0.); });
-  result.number.resize(result.kept.size());
-  for_each_index<ConcurrencyTag>(
-      0, result.kept.size(), [&](std::size_t i) { result.number[i] = 1. / part[result.kept[i]]; });
+  result.inverse_density.resize(result.kept.size());
+  for_each_index<ConcurrencyTag>(0, result.kept.size(),
+                                 [&](std::size_t i)
+                                 {
+    const std::size_t j = result.kept[i];
+    result.inverse_density[i] = 1. / part[j] * inverse_density[j];
+  });
   return result;
 }
 
