@@ -16,9 +16,12 @@ namespace CGAL {
 \brief What `CGAL::curvature_aware_simplify_point_set()` found in its input and did.
 
 Pass an object with the named parameter `simplification_report`, wrapped in `std::ref`. It is filled
-when the function succeeds. What is not measured is 0: if all distinct points are returned,
-that is the spacing, the outliers and the noise. Lengths are in the unit of the input, times in seconds
-of wall time.
+when the function succeeds, and left as it is if it throws or the callback cancels it. Lengths are in the
+unit of the input, times in seconds of wall time.
+
+What is not measured is 0. If all distinct points are returned, or there are fewer than 57, only the
+numbers of points, the surface variation and the times of sorting and of features are measured. With the
+settings of the paper, neither steps of the depth nor outliers nor noise are looked for.
 */
 struct Curvature_aware_simplification_report
 {
@@ -44,7 +47,7 @@ struct Curvature_aware_simplification_report
   /// number of distinct input points that were taken for outliers and left out
   std::size_t number_of_outliers = 0;
   /// standard deviation of the distance of the other input points to the surface, as estimated: the median
-  /// over the points, where it differs by place
+  /// over the points, where it differs by place; 0 if the points are too few to tell it from shape
   double noise_level = 0.;
 
   /// copying, checking and sorting the points, building the search tree, and undoing the rounding of depth

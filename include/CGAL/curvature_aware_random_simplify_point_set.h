@@ -117,7 +117,8 @@ The complexity is \f$O(M (\log M + k))\f$.
     \cgalParamType{an instance of `std::function<bool(double)>`}
     \cgalParamDefault{unused}
     \cgalParamExtra{It is called on the calling thread with the current advancement, from 0 to 1,
-                    which never decreases. If it returns `false`, nothing is written to `output`.}
+                    which never decreases. If it returns `false`, nothing is written to `output`. It may throw:
+                    the exception is passed on, and nothing is written either.}
   \cgalParamNEnd
 
   \cgalParamNBegin{geom_traits}

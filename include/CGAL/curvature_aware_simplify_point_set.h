@@ -45,6 +45,9 @@ input:
 -# Without noise and outliers, samples of thin parts whose fits miss the nearest points move to these. Samples
    next to a sharp edge move onto it, and those next to a corner of a border into it.
 
+Of fewer than 57 distinct points, which no fit tells the surface of, some are selected evenly along the
+space-filling curve and none is moved; of the parameters, only the number of points and the seed matter.
+
 What was found is told by `simplification_report`. The manual has the details.
 
 The result does not depend on the unit or the origin of the coordinates (but where distances are
@@ -230,7 +233,8 @@ input then, so that a permutation of the input gives another selection.
     \cgalParamType{an instance of `std::function<bool(double)>`}
     \cgalParamDefault{unused}
     \cgalParamExtra{It is called on the calling thread with the current advancement, from 0 to 1,
-                    which never decreases. If it returns `false`, nothing is written to `output`.}
+                    which never decreases. If it returns `false`, nothing is written to `output`. It may throw:
+                    the exception is passed on, and nothing is written either.}
   \cgalParamNEnd
 
   \cgalParamNBegin{simplification_report}

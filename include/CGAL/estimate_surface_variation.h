@@ -71,7 +71,8 @@ The complexity is \f$O(n (\log n + k))\f$ for \f$n\f$ points.
     \cgalParamType{an instance of `std::function<bool(double)>`}
     \cgalParamDefault{unused}
     \cgalParamExtra{It is called on the calling thread with the current advancement, from 0 to 1,
-                    which never decreases. If it returns `false`, nothing is written.}
+                    which never decreases. If it returns `false`, nothing is written. It may throw: the
+                    exception is passed on, and nothing is written either.}
   \cgalParamNEnd
 
   \cgalParamNBegin{geom_traits}
