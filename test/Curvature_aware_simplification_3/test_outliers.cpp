@@ -220,6 +220,61 @@ std::ptrdiff_t number_of_mutual_neighbors(const Far_outliers& cloud, std::size_t
   });
 }
 
+// n points of a unit square, and m of one beside it with a noise of so many of the spacings there,
+// as a wall far behind what a camera looks at
+std::vector<Point> near_and_far_wall(std::size_t n, std::size_t m, double noise_in_spacings,
+                                     unsigned int seed)
+{
+  std::vector<Point> points = surfaces::square(n, seed);
+  const double sigma = noise_in_spacings / std::sqrt(static_cast<double>(m));
+  for (const Point& p : with_noise(surfaces::square(m, seed + 1), sigma, seed + 2))
+    points.push_back(p + Vector(2., 0., 0.5));
+  return points;
+}
+
+// The far wall was taken for outliers as a whole: its points are as thick as wide for 16 and for 64
+// neighbors, and none of them is flat.
+TEST(Outliers, are_not_walls_whose_noise_is_as_large_as_the_distances_of_their_points)
+{
+  for (const auto& [m, noise] : {std::make_pair(5000u, 1.2), std::make_pair(5000u, 2.),
+                                 std::make_pair(5000u, 3.), std::make_pair(600u, 1.5)})
+    for (unsigned int seed : {181u, 182u})
+    {
+      const Cloud cloud = make_cloud<Tag>(near_and_far_wall(60000, m, noise, seed), 1e-16);
+      const std::vector<std::uint8_t> is_outlier = outliers_of(cloud);
+      std::size_t lost = 0;
+      for (std::size_t i = 0; i < cloud.size(); ++i)
+        lost += cloud.input_index[i] >= 60000 && is_outlier[i] != 0 ? 1 : 0;
+      EXPECT_LT(lost, m / 7) << m << ' ' << noise << ' ' << seed;
+    }
+}
+
+// What fills a flat box around a surface is a layer as well, but has the surface in its midst.
+TEST(Outliers, in_a_flat_box_are_found)
+{
+  for (double height : {0.05, 0.1, 0.3})
+    for (unsigned int seed : {183u, 184u})
+    {
+      std::vector<Point> points = surfaces::square(30000, seed);
+      CGAL::Random random(seed + 10);
+      std::size_t are_far = 0;
+      for (std::size_t i = 0; i < 3000; ++i)
+      {
+        const Point p(random.get_double(), random.get_double(),
+                      random.get_double(-height / 2., height / 2.));
+        are_far += std::abs(p.z()) > 0.02 ? 1 : 0; // 3.5 spacings
+        points.push_back(p);
+      }
+      const Cloud cloud = make_cloud<Tag>(points, 1e-16);
+      const std::vector<std::uint8_t> is_outlier = outliers_of(cloud);
+      std::size_t found = 0;
+      for (std::size_t i = 0; i < cloud.size(); ++i)
+        if (is_outlier[i] != 0 && std::abs(points[cloud.input_index[i]].z()) > 0.02)
+          ++found;
+      EXPECT_GT(found, are_far * 97 / 100) << height << ' ' << seed;
+    }
+}
+
 TEST(Outliers, in_space_do_not_lead_to_a_surface)
 {
   std::vector<Point> points = surfaces::sphere(100000, 134);

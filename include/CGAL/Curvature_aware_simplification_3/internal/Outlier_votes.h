@@ -71,12 +71,22 @@ public:
       m_rather_sparse(rather_far_inverse_density(shared.features.inverse_density)),
       m_settings(settings),
       m_votes(cloud.size()),
+      m_is_in_layer(cloud.size(), 0),
       m_is_outlier(is_outlier)
   {
     for_each_index<ConcurrencyTag>(0, cloud.size(),
                                    [&](std::size_t i) {
       m_votes[i].store(shared.votes[i], std::memory_order_relaxed);
     });
+  }
+
+  // Points of layers with so much noise that they look like space to their neighborhoods: they lose
+  // votes, but need no more than others.
+  template <typename ConcurrencyTag>
+  void trust(const std::vector<std::size_t>& in_layers, const ConcurrencyTag&)
+  {
+    for_each_index<ConcurrencyTag>(0, in_layers.size(),
+                                   [&](std::size_t i) { m_is_in_layer[in_layers[i]] = 1; });
   }
 
   // Marks points with few votes, and returns them. Those that lost votes are in a volume if what is
@@ -103,7 +113,7 @@ public:
     return mark([&](std::size_t) { return m_k / 2; },
                 [&](std::size_t i)
                 {
-      return m_shared.features.inverse_density[i] > m_rather_sparse ||
+      return (m_is_in_layer[i] == 0 && m_shared.features.inverse_density[i] > m_rather_sparse) ||
              is_off_plane_of_neighbors(m_cloud, m_search, m_k, m_is_outlier, i);
     },
                 tag);
@@ -138,7 +148,8 @@ private:
   // region of a surface has no outliers to lose.
   std::size_t few_votes(std::size_t i) const
   {
-    return is_thick_and_sparse(m_shared.features, i, least_variation_of_volumes, m_rather_sparse)
+    return m_is_in_layer[i] == 0 && is_thick_and_sparse(m_shared.features, i,
+                                                        least_variation_of_volumes, m_rather_sparse)
                ? (std::max)(m_quarter, 2 * std::size_t(m_shared.votes[i]) / 3)
                : m_quarter;
   }
@@ -184,6 +195,7 @@ private:
   double m_rather_sparse;
   const Adaptive_settings& m_settings;
   std::vector<std::atomic<std::uint32_t>> m_votes; // sums of integers: the order does not matter
+  std::vector<std::uint8_t> m_is_in_layer;
   std::vector<std::uint8_t>& m_is_outlier;
 };
 

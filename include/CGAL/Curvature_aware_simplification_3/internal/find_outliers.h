@@ -14,6 +14,7 @@
 #include <CGAL/Curvature_aware_simplification_3/internal/features.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/isolated_clusters.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/loops.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/noisy_layers.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/prefix_sums.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/shared_features.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/sparse_surfaces.h>
@@ -37,11 +38,13 @@ inline bool is_more_than_a_few(std::size_t with_few_votes, std::size_t points)
 }
 
 // Marks points that are far from others and thick, but for those that other points show to be on a
-// surface. `number_with_few_votes` of the outliers are near it.
+// surface. `number_with_few_votes` of the outliers are near it. Returns those that are in noisy
+// layers.
 template <typename ConcurrencyTag>
-void mark_far_points(const Cloud& cloud, const Neighbor_search& search, const Features& features,
-                     std::size_t k, std::size_t number_with_few_votes,
-                     const Adaptive_settings& settings, std::vector<std::uint8_t>& is_outlier)
+std::vector<std::size_t>
+mark_far_points(const Cloud& cloud, const Neighbor_search& search, const Features& features,
+                std::size_t k, std::size_t number_with_few_votes, const Adaptive_settings& settings,
+                std::vector<std::uint8_t>& is_outlier)
 {
   const double sparse = far_inverse_density(features.inverse_density);
   const double rather_sparse = rather_far_inverse_density(features.inverse_density);
@@ -55,12 +58,15 @@ void mark_far_points(const Cloud& cloud, const Neighbor_search& search, const Fe
   for_each_index<ConcurrencyTag>(0, far_ones.size(),
                                  [&](std::size_t f) { is_outlier[far_ones[f]] = 1; });
   if (!settings.keep_sparse_surfaces || far_ones.empty())
-    return;
+    return {};
   const bool are_likely =
       are_outliers_likely<ConcurrencyTag>(cloud, search, k, number_with_few_votes, far_ones);
+  std::vector<std::size_t> in_layers = unmark_noisy_layers<ConcurrencyTag>(
+      cloud, search, features, k, rather_sparse, far_ones, is_outlier);
   unmark_sparse_surfaces<ConcurrencyTag>(cloud, search, features, k, rather_sparse,
                                          needed_share_of_votes(are_likely), far_ones, is_outlier);
   unmark_connected<ConcurrencyTag>(cloud, search, features, k, are_likely, far_ones, is_outlier);
+  return in_layers;
 }
 
 // Which points do not belong to a surface: 1 for outliers. Takes O(k + log n) for each outlier and
@@ -72,8 +78,8 @@ void mark_far_points(const Cloud& cloud, const Neighbor_search& search, const Fe
 // themselves. An outlier near a surface has neighbors there, but is no neighbor of theirs. Outliers
 // far away vote for each other; they are those whose neighborhood is as thick as wide and has more
 // than 3 times the median radius, which noise alone does not give it; of those with 2 to 3 times,
-// the roundest are. Sparse parts of a surface look like that as well, but flat points are nearby,
-// or they are connected to denser parts. The votes of outliers do not count, which uncovers others:
+// the roundest are. Sparse parts of a surface look like that as well, but they are layers in wider
+// neighborhoods, flat points are nearby, or they are connected to denser parts. The votes of outliers do not count, which uncovers others:
 // in a volume, those that lose a third of theirs. Without single points between them, clusters are
 // apart. Where there are more than a few near the surface, some hide between its corners' votes and
 // those of points farther off: a second look, once, asks for half of the votes.
@@ -91,8 +97,9 @@ std::vector<std::uint8_t> find_outliers(const Cloud& cloud, const Neighbor_searc
   };
   Outlier_votes votes(cloud, search, shared, k, settings, is_outlier, tag);
   const std::size_t number_with_few_votes = votes.mark_few(tag).size();
-  mark_far_points<ConcurrencyTag>(cloud, search, shared.features, k, number_with_few_votes,
-                                  settings, is_outlier);
+  votes.trust(mark_far_points<ConcurrencyTag>(cloud, search, shared.features, k,
+                                              number_with_few_votes, settings, is_outlier),
+              tag);
   votes.take_back(marked(), tag);
   if (settings.find_clusters)
   {
