@@ -121,10 +121,11 @@ inline std::vector<Point> frames_of_a_scanner_at_rest(int n, int frames, double 
   return points;
 }
 
-inline Shared_features shared_features_of(const Cloud& cloud, const Neighbor_search& search)
+inline Shared_features shared_features_of(const Cloud& cloud, const Neighbor_search& search,
+                                          std::size_t k = 16)
 {
   return compute_shared_features<Tag, CGAL::Default_diagonalize_traits<double, 3>>(
-      cloud, search, 16, Progress(no_callback));
+      cloud, search, k, Progress(no_callback));
 }
 
 // distance to the nearest edge of the cube [0, 1]^3: the two smaller distances to its planes

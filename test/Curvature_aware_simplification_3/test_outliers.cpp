@@ -220,6 +220,31 @@ std::ptrdiff_t number_of_mutual_neighbors(const Far_outliers& cloud, std::size_t
   });
 }
 
+// 1/rho is rounded: for k = 3, 5, 6 or 7, the k-th neighbor was often not inside of its radius, and
+// which ones, and so the outliers, depended on the unit.
+TEST(Outliers, do_not_depend_on_the_unit_for_any_number_of_neighbors)
+{
+  std::vector<Point> points = with_noise(surfaces::sphere(20000, 185), 0.02, 186);
+  add_outliers(points, 2000, 2.4, 187);
+  for (std::size_t k : {3u, 5u, 6u, 7u, 10u})
+  {
+    const auto number_of_outliers = [&](double unit)
+    {
+      std::vector<Point> scaled;
+      for (const Point& p : points)
+        scaled.push_back(CGAL::ORIGIN + unit * (p - CGAL::ORIGIN));
+      const Cloud cloud = make_cloud<Tag>(scaled, 1e-16);
+      const Neighbor_search search(cloud.points, Tag());
+      const std::vector<std::uint8_t> is_outlier = find_outliers<Tag>(
+          cloud, search, shared_features_of(cloud, search, k), k, Adaptive_settings());
+      return std::count(is_outlier.begin(), is_outlier.end(), 1);
+    };
+    const auto expected = number_of_outliers(1.);
+    for (double unit : {3., 7., 1e-3, 1.1})
+      EXPECT_EQ(number_of_outliers(unit), expected) << k << ' ' << unit;
+  }
+}
+
 // n points of a unit square, and m of one beside it with a noise of so many of the spacings there,
 // as a wall far behind what a camera looks at
 std::vector<Point> near_and_far_wall(std::size_t n, std::size_t m, double noise_in_spacings,

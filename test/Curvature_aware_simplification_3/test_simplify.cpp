@@ -792,6 +792,81 @@ TEST_P(Both_methods, degenerate_coordinates_at_the_ends_of_their_range)
   }
 }
 
+// Repulsion pushed samples out of the box, where there are no numbers.
+TEST_P(Both_methods, output_is_finite_next_to_the_largest_number)
+{
+  CGAL::Random random(26);
+  const auto coordinate = [&] { return 1.7e308 * random.uniform_real(-1., 1.); };
+  std::vector<Point> points;
+  for (int i = 0; i < 2000; ++i)
+  {
+    const double x = coordinate(), y = coordinate();
+    points.emplace_back(x, y, coordinate());
+  }
+  for (const Point& p : simplified(points, np::number_of_output_points(100)))
+    for (int axis = 0; axis < 3; ++axis)
+      EXPECT_TRUE(std::isfinite(p[axis])) << p;
+}
+
+// Two points that are 10^81 to 10^138 times as far away as the others decide the unit. There, the
+// fourth powers of residuals and the squares of areas underflowed, and no noise was found.
+TEST(Adaptive, result_does_not_depend_on_how_far_a_few_points_are)
+{
+  settings_of_the_paper = false;
+  for (double sigma : {0., 0.05})
+  {
+    CGAL::Random random(27);
+    std::vector<Point> cube;
+    for (int i = 0; i < 6000; ++i)
+    {
+      double c[3];
+      for (int axis = 0; axis < 3; ++axis)
+        c[axis] = axis == i % 3 ? (i % 2 == 0 ? -1. : 1.) : random.uniform_real(-1., 1.);
+      for (double& x : c)
+        x += sigma * surfaces::normal_deviate(random);
+      cube.emplace_back(c[0], c[1], c[2]);
+    }
+    std::vector<std::vector<Point>> results;
+    for (int exponent : {20, 270, 460})
+    {
+      std::vector<Point> points = cube;
+      points.emplace_back(std::ldexp(1., exponent), 0., 0.);
+      points.emplace_back(-std::ldexp(1., exponent), 0., 0.);
+      results.push_back(simplified(points, np::number_of_output_points(600)));
+    }
+    for (std::size_t other : {1u, 2u})
+      for (std::size_t i = 0; i < 600; ++i)
+        ASSERT_LT(CGAL::squared_distance(results[0][i], results[other][i]), 1e-12)
+            << sigma << ' ' << other << ' ' << i;
+  }
+}
+
+// Random points of a curve leave gaps, from which samples go back to the same point: of 4500, 520
+// were at the place of another.
+TEST(Adaptive, samples_of_a_curve_are_at_different_places)
+{
+  settings_of_the_paper = false;
+  CGAL::Random random(28);
+  std::vector<Point> circle;
+  for (int i = 0; i < 5000; ++i)
+  {
+    const double t = random.uniform_real(0., 2. * CGAL_PI);
+    circle.emplace_back(std::cos(t), std::sin(t), 0.);
+  }
+  for (std::size_t n : {1500u, 2500u, 4500u})
+  {
+    std::vector<Point> output = simplified(circle, np::number_of_output_points(n));
+    std::vector<double> angles;
+    for (const Point& p : output)
+      angles.push_back(std::atan2(p.y(), p.x()));
+    std::sort(angles.begin(), angles.end());
+    std::size_t copies = 0;
+    for (std::size_t i = 1; i < n; ++i)
+      copies += angles[i] - angles[i - 1] < 1e-9 ? 1 : 0;
+    EXPECT_LE(copies, 2u) << n;
+  }
+}
+
 TEST_P(Both_methods, input_is_left_as_it_was)
 {
   const std::vector<Point> points = surfaces::torus(1000, 3., 1., 22);

@@ -7,6 +7,7 @@
 #define CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_CURVE_RANGES_H
 
 #include <cstddef>
+#include <cstdint>
 
 namespace CGAL {
 namespace Curvature_aware_simplification_3 {
@@ -24,7 +25,7 @@ struct Curve_ranges
   // point * number / number_of_points rounded down, where that product may have more than 64 bits
   std::size_t range_of(std::size_t point) const
   {
-    if (number_of_points >> 32 == 0)
+    if (std::uint64_t(number_of_points) >> 32 == 0)
       return point * number / number_of_points;
     auto range = static_cast<std::size_t>(
         static_cast<double>(point) *

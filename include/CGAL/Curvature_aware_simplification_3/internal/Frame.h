@@ -10,7 +10,9 @@
 
 #include <CGAL/Bbox_3.h>
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace CGAL {
 namespace Curvature_aware_simplification_3 {
@@ -45,10 +47,13 @@ public:
                  length_to_frame(z - m_center.z()));
   }
 
+  // A sample may be a little outside of the box of the points, where there may be no numbers.
   Point from_frame(const Point& p) const
   {
-    return Point(m_center.x() + length_from_frame(p.x()), m_center.y() + length_from_frame(p.y()),
-                 m_center.z() + length_from_frame(p.z()));
+    constexpr double largest = (std::numeric_limits<double>::max)();
+    const auto coordinate = [&](int axis)
+    { return (std::clamp)(m_center[axis] + length_from_frame(p[axis]), -largest, largest); };
+    return Point(coordinate(0), coordinate(1), coordinate(2));
   }
 
   double length_to_frame(double length) const { return length * m_to_frame[0] * m_to_frame[1]; }

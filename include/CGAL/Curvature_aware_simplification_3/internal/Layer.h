@@ -71,15 +71,16 @@ struct Layer_around_quadric
     double sum = 0., sum_of_fourth_powers = 0.;
     for (const Neighborhood::Neighbor& neighbor : neighborhood.neighbors)
     {
-      const double e = surface.residual(neighbor.position);
+      // in the unit of the radius, so that the fourth power does not underflow
+      const double e = surface.residual(neighbor.position) / neighborhood.radius;
       sum += e * e;
       sum_of_fourth_powers += e * e * e * e;
     }
     const Eigen::Vector3d lambda = eigenvalues(covariance_sums(neighborhood));
     const double n = static_cast<double>(neighborhood.size());
     const double kurtosis = sum > 0. ? n * (sum_of_fourth_powers / sum) / sum - 3. : 0.;
-    return {thickness(sum, neighborhood.size(), 6.), radius_of_disk(lambda(1)),
-            radius_of_disk(lambda(2)), kurtosis};
+    return {neighborhood.radius * thickness(sum, neighborhood.size(), 6.),
+            radius_of_disk(lambda(1)), radius_of_disk(lambda(2)), kurtosis};
   }
 };
 

@@ -67,6 +67,7 @@ public:
   {
     // If there are hidden points among them, twice as many more are asked for, so that few rounds
     // do in the midst of many. These come in order, and the first k count.
+    k = (std::min)(k, m_tree.size());
     for (std::size_t wanted = k;;)
     {
       const K_neighbor_search search(m_tree, query, static_cast<unsigned int>(wanted), 0., true,
@@ -86,6 +87,14 @@ public:
         }
       return;
     }
+  }
+
+  // the nearest point; there is at least one
+  Point nearest(const Point& query) const
+  {
+    Point result = query;
+    for_each_nearest(query, 1, [&](std::size_t, const Point& p, double) { result = p; });
+    return result;
   }
 
   // function(index, point, squared distance) for all points in the closed ball, in no particular

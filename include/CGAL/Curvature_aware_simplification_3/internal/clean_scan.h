@@ -80,18 +80,22 @@ Clean_scan clean_scan(Cloud cloud, std::unique_ptr<Neighbor_search> search,
   Depth_levels depth_levels;
   if (settings.undo_rounding)
     depth_levels = undo_rounding<ConcurrencyTag>(cloud, search);
+  progress.report(0.1);
   report.depth_step = cloud.frame.length_from_frame(depth_levels.typical_step());
   report.sorting_time += stopwatch.lap();
 
   Shared_features shared = compute_shared_features<ConcurrencyTag, DiagonalizeTraits>(
-      cloud, *search, parameters.number_of_neighbors, progress.part(0., 0.75));
+      cloud, *search, parameters.number_of_neighbors, progress.part(0.1, 0.6));
   report.maximum_surface_variation = largest_surface_variation<ConcurrencyTag>(shared.features);
   report.features_time = stopwatch.lap();
 
   cloud.input_index = std::vector<std::size_t>(); // where points come from is not asked any more
   cloud.duplicates = std::vector<Duplicate>();
+  std::size_t outliers_found = 0;
   if (settings.find_outliers)
-    remove_outliers<ConcurrencyTag>(cloud, search, shared, k, number_of_samples, settings);
+    outliers_found =
+        remove_outliers<ConcurrencyTag>(cloud, search, shared, k, number_of_samples, settings);
+  progress.report(0.7);
   report.number_of_outliers = distinct - cloud.size();
   report.outliers_time = stopwatch.lap();
 
@@ -113,8 +117,9 @@ Clean_scan clean_scan(Cloud cloud, std::unique_ptr<Neighbor_search> search,
                   std::move(noise),
                   cloud.coordinate_error,
                   spacing_of_samples,
-                  is_more_than_a_few(report.number_of_outliers, distinct)};
+                  is_more_than_a_few(outliers_found, distinct)};
   shared = Shared_features();
+  progress.report(0.75);
   report.noise_time = stopwatch.lap();
 
   if (settings.smooth_points && scan.noise.is_visible())

@@ -28,6 +28,13 @@ struct Features
   std::vector<double> inverse_density;   // 1 / rho = r^2 / k, r the distance to the k-th neighbor
 };
 
+// r^2 of point i, with its k-th neighbor inside: 1/rho is rounded
+inline double squared_radius(const Features& features, std::size_t i, std::size_t k)
+{
+  constexpr double rounding = 4. * std::numeric_limits<double>::epsilon();
+  return (1. + rounding) * features.inverse_density[i] * static_cast<double>(k);
+}
+
 struct Local_features
 {
   double surface_variation;

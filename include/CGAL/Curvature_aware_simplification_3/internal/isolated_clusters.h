@@ -83,10 +83,9 @@ private:
     if (!may_be_in_cluster(i))
       return false;
     for (std::size_t j = i; j > 0 && i - j < m_k; --j)
-      if (m_is_outlier[j - 1] == 0 &&
-          squared_distance(m_cloud.points[j - 1], m_cloud.points[i]) <=
-              static_cast<double>(m_k) *
-                  (std::min)(m_features.inverse_density[j - 1], m_features.inverse_density[i]))
+      if (m_is_outlier[j - 1] == 0 && squared_distance(m_cloud.points[j - 1], m_cloud.points[i]) <=
+                                          (std::min)(squared_radius(m_features, j - 1, m_k),
+                                                     squared_radius(m_features, i, m_k)))
         return false;
     return true;
   }

@@ -111,13 +111,7 @@ std::optional<Target> nearest_edge_point(const Surface_sample& x, const Neighbor
 
   if (!(x.surface.radius > 0.))
     return std::nullopt;
-  const auto nearest_bent = [&](const Point& query)
-  {
-    Point nearest = query;
-    bent.for_each_nearest(query, 1, [&](std::size_t, const Point& p, double) { nearest = p; });
-    return nearest;
-  };
-  const Point center = nearest_bent(x.point);
+  const Point center = bent.nearest(x.point);
   if (squared_distance(center, x.point) > reach * reach * x.spacing * x.spacing)
     return std::nullopt;
   const std::optional<Target> target = edge_point(x, center, reach, neighbors, points, fit);
@@ -125,7 +119,7 @@ std::optional<Target> nearest_edge_point(const Surface_sample& x, const Neighbor
     return target;
   // The planes around it are not those at its foot point, and are fitted again there. The largest
   // error is 5 % smaller.
-  return edge_point(x, nearest_bent(target->point), reach, neighbors, points, fit);
+  return edge_point(x, bent.nearest(target->point), reach, neighbors, points, fit);
 }
 
 // Moves samples next to a sharp edge onto it. Whatever surface is reconstructed, it cuts off an

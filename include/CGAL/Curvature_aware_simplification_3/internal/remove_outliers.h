@@ -27,11 +27,11 @@ namespace internal {
 
 // Leaves out outliers: from the points, from the features, which is what `shared` keeps, and from
 // the search, whose indices may not be those of the points any more. The indices in the cloud are
-// dropped before.
+// dropped before. Returns how many were found, also if they are too many to be left out.
 template <typename ConcurrencyTag>
-void remove_outliers(Cloud& cloud, std::unique_ptr<Neighbor_search>& search,
-                     Shared_features& shared, std::size_t k, std::size_t number_of_samples,
-                     const Adaptive_settings& settings)
+std::size_t remove_outliers(Cloud& cloud, std::unique_ptr<Neighbor_search>& search,
+                            Shared_features& shared, std::size_t k, std::size_t number_of_samples,
+                            const Adaptive_settings& settings)
 {
   const std::size_t n = cloud.size();
   std::vector<std::uint8_t> is_outlier =
@@ -42,13 +42,14 @@ void remove_outliers(Cloud& cloud, std::unique_ptr<Neighbor_search>& search,
       indices_where<ConcurrencyTag>(n, [&](std::size_t i) { return is_outlier[i] == 0; });
   // What most points are is no outlier, and each sample needs a point to start from.
   if (kept.size() == n || kept.size() < (std::max)(number_of_samples, (n + 1) / 2))
-    return;
+    return n - kept.size();
 
   // To hide outliers saves a tree, an eighth of a call; but each search that meets one is done
   // again. Among 25 neighbors, one of a thousand is rarely met. With noise, when 3 % may be taken
   // for outliers and all points are smoothed, most searches meet one, which takes longer than a new
   // tree.
-  const bool are_few = n - kept.size() <= n / 1000;
+  const std::size_t number_found = n - kept.size();
+  const bool are_few = number_found <= n / 1000;
   if (are_few)
     search->hide(std::move(is_outlier));
   else
@@ -61,6 +62,7 @@ void remove_outliers(Cloud& cloud, std::unique_ptr<Neighbor_search>& search,
   kept = std::vector<std::size_t>();
   if (!are_few)
     search = std::make_unique<Neighbor_search>(cloud.points, ConcurrencyTag());
+  return number_found;
 }
 
 } // namespace internal

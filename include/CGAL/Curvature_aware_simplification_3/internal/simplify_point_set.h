@@ -52,7 +52,10 @@ OutputIterator simplify_point_set(const PointRange& points, OutputIterator outpu
   {
     progress.report(0.);
     Cloud cloud = read_cloud<ConcurrencyTag>(points, np);
+    progress.report(0.05);
     auto search = std::make_unique<Neighbor_search>(cloud.points, ConcurrencyTag());
+    const Progress after_sorting = progress.part(0.1, 1.);
+    after_sorting.report(0.);
     report.sorting_time = stopwatch.lap();
 
     report.number_of_input_points = cloud.input_size();
@@ -62,9 +65,9 @@ OutputIterator simplify_point_set(const PointRange& points, OutputIterator outpu
     const Distinct_samples samples =
         parameters.settings_of_the_paper
             ? simplify_as_in_the_paper<ConcurrencyTag, Diagonalize_traits>(
-                  cloud, *search, parameters, progress, report)
+                  cloud, *search, parameters, after_sorting, report)
             : simplify_adaptively<ConcurrencyTag, Diagonalize_traits>(
-                  std::move(cloud), std::move(search), parameters, settings, progress, report);
+                  std::move(cloud), std::move(search), parameters, settings, after_sorting, report);
 
     progress.report(1.);
     for (std::size_t i = 0; i < samples.points.size(); ++i)

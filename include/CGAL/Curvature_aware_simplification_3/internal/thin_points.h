@@ -34,8 +34,9 @@ inline constexpr std::size_t smoothing_neighborhood = 25;
 // sigma, down to 3 beyond 1.25 spacings), and worse for smooth ones (wavy patch 1.38 to 1.07).
 inline double smoothing_radius(const Noise& noise, double spacing_of_samples)
 {
-  const double worth = 1.6 * std::cbrt(spacing_of_samples * spacing_of_samples * noise.level);
-  return (std::min)(worth, 4. * noise.level);
+  // the cube root of s^2 sigma, which might underflow
+  const double worth = 1.6 * spacing_of_samples * std::cbrt(noise.level / spacing_of_samples);
+  return (std::min)(4. * noise.level, worth);
 }
 
 // The indices of some of the points, in order, and 1/rho of each of them: it stands for those that
@@ -83,8 +84,8 @@ std::vector<double> parts_to_smooth(const std::vector<double>& inverse_density,
 }
 
 // Keeps a part of the points, evenly along the curve: one wherever the sum of the parts passes an
-// integer. At least two for each sample remain, if there are so many: what is missing is taken from
-// all places alike.
+// integer. At least two for each sample remain, but for one by rounding, if there are so many: what
+// is missing is taken from all places alike.
 template <typename ConcurrencyTag>
 Thinned_points thin_points(const std::vector<double>& inverse_density, const Noise_levels& noise,
                            std::size_t number_of_samples, double spacing_of_samples)

@@ -89,12 +89,13 @@ inline bool plane_with_most_points(const std::vector<Vector>& points, double tol
   if (n < 7) // twice as many as a plane needs
     return false;
   const Counter_based_random random(0, 0);
+  const double scale = 1. / tolerance; // so that the square of a product does not underflow
   std::ptrdiff_t most = 0;
   for (std::uint64_t trial = 0; trial < trials; ++trial)
   {
     const Vector& p = points[random.bits(3 * trial) % n];
-    const Vector normal = cross_product(points[random.bits(3 * trial + 1) % n] - p,
-                                        points[random.bits(3 * trial + 2) % n] - p);
+    const Vector normal = cross_product(scale * (points[random.bits(3 * trial + 1) % n] - p),
+                                        scale * (points[random.bits(3 * trial + 2) % n] - p));
     const double length = std::sqrt(normal.squared_length());
     if (!(length > 0.))
       continue;
