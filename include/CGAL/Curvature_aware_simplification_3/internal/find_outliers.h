@@ -105,7 +105,7 @@ std::vector<std::uint8_t> find_outliers(const Cloud& cloud, const Neighbor_searc
   {
     const double sparse = far_inverse_density(shared.features.inverse_density);
     const std::vector<std::size_t> found =
-        Isolated_clusters(cloud, search, shared.features, k, sparse, is_outlier)
+        Isolated_clusters(cloud, search, shared.features, k, sparse, is_outlier, tag)
             .points<ConcurrencyTag>();
     for (std::size_t i : found)
       is_outlier[i] = 1;

@@ -10,7 +10,6 @@
 #include <CGAL/Curvature_aware_simplification_3/internal/Covariance_sums.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Neighbor_search.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/loops.h>
-#include <CGAL/Curvature_aware_simplification_3/internal/mutual_neighbors.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/prefix_sums.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/principal_axes.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/shared_features.h>
@@ -20,6 +19,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <unordered_set>
 #include <vector>
 
@@ -29,21 +29,28 @@ namespace internal {
 
 // Clusters of points that hang in the air, as they come with photographs and with reflections.
 // Their points vote for each other, as those of a surface do, and they are dense: each of them is
-// no outlier by itself.
+// no outlier by itself. Nor are those of specks with less than k points, whose neighbors are a few
+// other specks, and may be in a plane.
 class Isolated_clusters
 {
 public:
   // Points with more than `sparse` 1/rho are so far from others that their neighborhoods may be of
   // several parts.
+  template <typename ConcurrencyTag>
   Isolated_clusters(const Cloud& cloud, const Neighbor_search& search, const Features& features,
-                    std::size_t k, double sparse, const std::vector<std::uint8_t>& is_outlier)
+                    std::size_t k, double sparse, const std::vector<std::uint8_t>& is_outlier,
+                    const ConcurrencyTag&)
     : m_cloud(cloud),
       m_search(search),
       m_features(features),
       m_k(k),
       m_sparse(sparse),
-      m_is_outlier(is_outlier)
-  {}
+      m_is_outlier(is_outlier),
+      m_squared_reach(cloud.size())
+  {
+    for_each_index<ConcurrencyTag>(0, cloud.size(),
+                                   [&](std::size_t i) { m_squared_reach[i] = squared_reach(i); });
+  }
 
   // All their points. O(k log n) for each place where the Hilbert curve jumps between points that
   // are not flat
@@ -76,21 +83,54 @@ private:
             m_features.inverse_density[i] > m_sparse);
   }
 
-  // The first point of a component is no mutual neighbor of those before it on the curve. Of most
+  // The first point of a component is not linked to those before it on the curve. Of most
   // other points, one of the last few is.
   bool may_be_first(std::size_t i) const
   {
     if (!may_be_in_cluster(i))
       return false;
     for (std::size_t j = i; j > 0 && i - j < m_k; --j)
-      if (m_is_outlier[j - 1] == 0 && squared_distance(m_cloud.points[j - 1], m_cloud.points[i]) <=
-                                          (std::min)(squared_radius(m_features, j - 1, m_k),
-                                                     squared_radius(m_features, i, m_k)))
+      if (m_is_outlier[j - 1] == 0 &&
+          are_linked(i, j - 1, squared_distance(m_cloud.points[j - 1], m_cloud.points[i])))
         return false;
     return true;
   }
 
-  // The component of point `first` in the graph of mutual neighbors; none if it has a point before
+  // Where a point is far from others, how far it reaches: twice as far as its second nearest, which
+  // is in the same speck. Specks are about as far from each other as they are wide, or farther.
+  double squared_reach(std::size_t i) const
+  {
+    constexpr double reach = 2.;
+    if (m_is_outlier[i] != 0 || m_features.inverse_density[i] <= m_sparse)
+      return std::numeric_limits<double>::infinity();
+    double second = 0.;
+    m_search.for_each_nearest(m_cloud.points[i], 3,
+                              [&](std::size_t, const Point&, double squared_distance)
+                              { second = (std::max)(second, squared_distance); });
+    return reach * reach * second;
+  }
+
+  // Whether two points are among the k nearest of each other, and one reaches the other
+  bool are_linked(std::size_t i, std::size_t j, double squared_distance) const
+  {
+    return squared_distance <=
+               (std::min)(squared_radius(m_features, i, m_k), squared_radius(m_features, j, m_k)) &&
+           squared_distance <= (std::max)(m_squared_reach[i], m_squared_reach[j]);
+  }
+
+  // function(j) for the points that point i is linked to
+  template <typename Function>
+  void for_each_linked(std::size_t i, const Function& function) const
+  {
+    m_search.for_each_nearest(m_cloud.points[i], m_k + 1,
+                              [&](std::size_t j, const Point&, double squared_distance)
+                              {
+      if (j != i && m_is_outlier[j] == 0 && are_linked(i, j, squared_distance))
+        function(j);
+    });
+  }
+
+  // The component of point `first` in the graph of linked points; none if it has a point before
   // that one, a flat point, or too many.
   std::vector<std::size_t> component_from(std::size_t first) const
   {
@@ -102,16 +142,14 @@ private:
     std::unordered_set<std::size_t> is_in_component = {first};
     bool is_part_of_more = false;
     for (std::size_t visited = 0; visited < component.size() && !is_part_of_more; ++visited)
-      for_each_mutual_neighbor(
-          m_cloud, m_search, m_features, m_k, component[visited],
-          [&](std::size_t j) { return m_is_outlier[j] == 0; },
-          [&](std::size_t j)
-          {
+      for_each_linked(component[visited],
+                      [&](std::size_t j)
+                      {
         if (j < first || !may_be_in_cluster(j) || component.size() > most)
           is_part_of_more = true;
         else if (is_in_component.insert(j).second)
           component.push_back(j);
-          });
+      });
     return is_part_of_more ? std::vector<std::size_t>() : component;
   }
 
@@ -140,8 +178,8 @@ private:
         cluster.size() <= m_k || sum / size > least_variation_of_volumes; // few see other parts
     // The smallest eigenvalue of few points is smaller: of 10 Gaussian ones, 97 % have 0.042 of the
     // sum or more.
-    const double least =
-        least_variation_of_volumes * (std::min)(1., size / static_cast<double>(m_k));
+    const double part = (std::min)(1., size / static_cast<double>(m_k));
+    const double least = least_variation_of_volumes * part * part;
     return is_thick_everywhere && lambda(0) > least * lambda.sum();
   }
 
@@ -166,6 +204,7 @@ private:
   std::size_t m_k;
   double m_sparse;
   const std::vector<std::uint8_t>& m_is_outlier;
+  std::vector<double> m_squared_reach; // of each point
 };
 
 } // namespace internal
