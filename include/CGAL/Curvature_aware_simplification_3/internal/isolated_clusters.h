@@ -97,7 +97,8 @@ private:
   }
 
   // Where a point is far from others, how far it reaches: twice as far as its second nearest, which
-  // is in the same speck. Specks are about as far from each other as they are wide, or farther.
+  // is in the same speck. Of specks of 8 points, with a deviation as large as the spacing of the
+  // surface, a quarter more are found than with three times as far: these lead from one to another.
   double squared_reach(std::size_t i) const
   {
     constexpr double reach = 2.;

@@ -89,8 +89,6 @@ std::vector<std::size_t> unmark_noisy_layers(const Cloud& cloud, const Neighbor_
                                  [&](std::size_t range)
                                  {
     const std::size_t begin = ranges.first_point(range), end = ranges.first_point(range + 1);
-    if (begin == end)
-      return;
     const Point& place = cloud.points[far_ones[begin + (end - begin) / 2]];
     std::optional<Thick_plane> layer = sparse_layer(cloud, search, features, place, 16 * k, sparse);
     if (!layer)
