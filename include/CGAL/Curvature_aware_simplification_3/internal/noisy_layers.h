@@ -74,8 +74,8 @@ inline std::optional<Thick_plane> sparse_layer(const Cloud& cloud, const Neighbo
                      std::sqrt((std::max)(lambda(0), 0.))};
 }
 
-// Unmarks those of the far ones that are in such a layer, and returns them. One place tells for 4 k
-// of them along the Hilbert curve. O(k + log n) for each far one.
+// Unmarks those of the far ones that are in such a layer, and returns them. One place tells for 16 k
+// of them along the Hilbert curve, about as many as it looks at. O(log n) for each far one.
 template <typename ConcurrencyTag>
 std::vector<std::size_t> unmark_noisy_layers(const Cloud& cloud, const Neighbor_search& search,
                                              const Features& features, std::size_t k, double sparse,
@@ -83,7 +83,7 @@ std::vector<std::size_t> unmark_noisy_layers(const Cloud& cloud, const Neighbor_
                                              std::vector<std::uint8_t>& is_outlier)
 {
   const std::size_t n = far_ones.size();
-  const Curve_ranges ranges{n / (4 * k) + 1, n};
+  const Curve_ranges ranges{n / (16 * k) + 1, n};
   std::vector<std::uint8_t> is_in_layer(n, 0);
   for_each_index<ConcurrencyTag>(0, ranges.number,
                                  [&](std::size_t range)
