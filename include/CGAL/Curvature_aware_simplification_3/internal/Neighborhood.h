@@ -17,8 +17,8 @@ namespace CGAL {
 namespace Curvature_aware_simplification_3 {
 namespace internal {
 
-// (1 - r^2 / R^2)^2: smooth, and 0 at the border, so that a point that enters a neighborhood makes no
-// difference. One that is alone on the border keeps a trace of weight.
+// (1 - r^2 / R^2)^2: smooth, and 0 at the border, so that a point that enters a neighborhood makes
+// no difference. One that is alone on the border keeps a trace of weight.
 class Weight_by_distance
 {
 public:

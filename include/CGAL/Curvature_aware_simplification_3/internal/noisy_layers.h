@@ -55,8 +55,10 @@ inline std::optional<Thick_plane> sparse_layer(const Cloud& cloud, const Neighbo
                                                std::size_t number, double sparse)
 {
   constexpr double largest_variation = 0.09;
-  constexpr double most = 0.75;  // of the points
-  if (2 * number > cloud.size()) // they are all around
+  // A surface among outliers is denser than they are, and outnumbers them; where far points are a
+  // surface, those near it on other parts are few.
+  constexpr double most = 0.75;
+  if (2 * number > cloud.size()) // they are the scan, and not a part of it
     return std::nullopt;
   Covariance_sums sums;
   std::size_t sparse_ones = 0;
