@@ -80,75 +80,93 @@ inline bool is_noisy(const Surface_fit& fit, const Neighborhood& neighborhood)
   return neighborhood.radius <= 2. * smallest_radius_in_noise * fit.noise.level;
 }
 
+// Weights by distance. A point that starts a sample has no say itself: it may be an outlier.
+inline void weight_for_quadric(bool starts_sample, Neighborhood& neighborhood)
+{
+  neighborhood.weight_by_distance();
+  if (starts_sample)
+    for (Neighborhood::Neighbor& neighbor : neighborhood.neighbors)
+      if (neighbor.squared_distance == 0.)
+        neighbor.weight = 0.;
+}
+
+// The first fit is a plane. The ball may reach another sheet, which the next rounds then leave out:
+// inner neighbors decide, unless the ball is as narrow as the noise allows, or they may be on one
+// line, for which more were asked for. Then all are needed to tell the normal.
+inline void weight_for_plane(const Surface_fit& fit, bool starts_sample, std::size_t smallest,
+                             Neighborhood& neighborhood)
+{
+  weight_for_quadric(starts_sample, neighborhood);
+  if (!is_noisy(fit, neighborhood) && smallest == smallest_neighborhood)
+    for (Neighborhood::Neighbor& neighbor : neighborhood.neighbors)
+      neighbor.weight = neighbor.weight * neighbor.weight * neighbor.weight;
+}
+
 // Rounds of reweighting: the first leaves out outliers and other sheets well enough. A second one
 // sees them in the light of the first, which makes no difference where points are exact; but where
 // a sample stays among noisy ones, it would be 3 % farther from the surface without.
 inline constexpr int rounds_to_move = 1;
 inline constexpr int rounds_to_stay = 2;
 
-// The surface through at least `smallest` neighbors, around the foot point of x: a quadric by
-// iteratively reweighted least squares, with `rounds` of reweighting as above. `normal` is a guess,
-// or the null vector where there is none, and `expected_neighbors` how many neighbors may be
-// needed, or 0. The neighbors are left in `neighborhood`.
+// Takes a fit towards the quadric by iteratively reweighted least squares: neighbors with large
+// residuals lose their weights. Where a round fails, what was fitted before is the best there is.
+inline void reweight_and_fit(const Surface_fit& fit, bool starts_sample, int rounds,
+                             Neighborhood& neighborhood, Local_surface& surface)
+{
+  for (int round = 0; round < rounds; ++round)
+  {
+    surface.spread = (std::max)(residual_spread(neighborhood, surface), fit.noise.level);
+    if (!(surface.spread > 0.))
+      return;
+    weight_for_quadric(starts_sample, neighborhood);
+    for (Neighborhood::Neighbor& neighbor : neighborhood.neighbors)
+      neighbor.weight *= robust_weight(surface.residual(neighbor.position), surface.spread);
+    if (!fit_quadric(fit, neighborhood, surface))
+      return;
+    if (!fit.noise.is_visible)
+      return; // a second round would tell nothing new
+  }
+}
+
+// The surface through at least `smallest` neighbors, around the foot point of x, with so many
+// rounds of reweighting. `normal` is a guess, or the null vector where there is none, as for a
+// point that starts a sample, and `expected_neighbors` how many neighbors may be needed, or 0. The
+// neighbors are left in `neighborhood`.
 inline Local_surface fit_to_neighbors(const Surface_fit& fit, const Point& x, const Vector& normal,
                                       std::size_t smallest, std::size_t expected_neighbors,
                                       int rounds, Neighborhood& neighborhood)
 {
-  const bool has_guess = normal != NULL_VECTOR;
+  const bool starts_sample = normal == NULL_VECTOR;
+  const double wanted_radius = smallest_radius_in_noise * fit.noise.level;
 
   Local_surface surface;
   surface.origin = x;
-  if (has_guess)
+  if (!starts_sample)
     surface.n = normal;
   surface.complete_frame();
-  const double wanted_radius = smallest_radius_in_noise * fit.noise.level;
-  collect_neighbors(fit, x, smallest, wanted_radius, expected_neighbors, neighborhood);
   // A ball around a point off the surface holds more of the noise on its side: it is moved to the
   // foot point.
-  for (int moves = 0;;)
+  for (int moves = 0;; ++moves)
   {
+    collect_neighbors(fit, surface.origin, smallest, wanted_radius, expected_neighbors,
+                      neighborhood);
     if (!(neighborhood.radius > 0.))
       return surface;
+    expected_neighbors = neighborhood.size();
 
-    // a point that starts a sample has no say itself: it may be an outlier
-    const auto weight_by_distance = [&]
-    {
-      neighborhood.weight_by_distance();
-      if (!has_guess)
-        for (Neighborhood::Neighbor& neighbor : neighborhood.neighbors)
-          if (neighbor.squared_distance == 0.)
-            neighbor.weight = 0.;
-    };
-    // First a plane. The ball may reach another sheet, which the next rounds then leave out: inner
-    // neighbors decide, unless the ball is as narrow as the noise allows, or they may be on one
-    // line, for which more were asked for. Then all are needed to tell the normal.
-    weight_by_distance();
-    if (!is_noisy(fit, neighborhood) && smallest == smallest_neighborhood)
-      for (Neighborhood::Neighbor& neighbor : neighborhood.neighbors)
-        neighbor.weight = neighbor.weight * neighbor.weight * neighbor.weight;
-    if (!has_guess && moves == 0)
+    weight_for_plane(fit, starts_sample, smallest, neighborhood);
+    if (starts_sample && moves == 0)
     {
       surface.n = plane_normal(neighborhood);
       surface.complete_frame();
     }
     Local_surface fitted = surface;
     fitted.radius = neighborhood.radius;
-    fitted.neighbors = expected_neighbors = neighborhood.size();
+    fitted.neighbors = neighborhood.size();
     if (!fit_plane(neighborhood, fitted))
       return surface;
-    for (int round = 0; round < rounds; ++round)
-    {
-      fitted.spread = (std::max)(residual_spread(neighborhood, fitted), fit.noise.level);
-      if (!(fitted.spread > 0.))
-        break;
-      weight_by_distance();
-      for (Neighborhood::Neighbor& neighbor : neighborhood.neighbors)
-        neighbor.weight *= robust_weight(fitted.residual(neighbor.position), fitted.spread);
-      if (!fit_quadric(fit, neighborhood, fitted))
-        break; // what was fitted before is the best there is
-      if (!fit.noise.is_visible)
-        break; // a second round would tell nothing new
-    }
+    reweight_and_fit(fit, starts_sample, rounds, neighborhood, fitted);
+
     const double distance = std::abs(fitted.c[0]);
     // sigma / 2 in the narrowest balls for the noise: 1/14 of the radius. That part does for any
     // ball.
@@ -156,12 +174,9 @@ inline Local_surface fit_to_neighbors(const Surface_fit& fit, const Point& x, co
     fitted.move_to_foot_point();
     if (!(distance > tolerance && moves < fit.settings.moves_to_foot_point))
       return fitted;
-    ++moves;
     surface.origin = fitted.origin;
     surface.n = fitted.n;
     surface.complete_frame();
-    collect_neighbors(fit, surface.origin, smallest, wanted_radius, expected_neighbors,
-                      neighborhood);
   }
 }
 

@@ -54,85 +54,102 @@ inline bool holds_another_sheet(const Layer& narrow, const Layer& wide)
   return wide.thickness >= 2. * narrow.thickness && wide.width < 5. * wide.thickness;
 }
 
-// The noise of each range that layers around quadrics show. The narrower layer must be wide against
-// the noise: in one as thick as wide, a fit turns along the noise. And it must be broad, as must
-// its inner half: if that is on one line of a scan, the quadric can turn along the noise of the
-// line, and meet the few points of the next.
+// What layers around quadrics, of more and more points, have told of a range
+struct Noise_of_range
+{
+  static constexpr std::size_t smallest = 17, largest = 544; // points of a layer
+
+  Shown_noise noise;
+  // Noise is no more than is told by layers that are thick by their shape, as those of a twig are:
+  // of these, no number of points is wide enough.
+  double limit = std::numeric_limits<double>::infinity();
+  std::size_t enough = smallest; // points, to hold several columns
+
+  // Whether layers of k / 2, k and 2 k points tell the noise. If not, it is taken to be the
+  // thickness, until larger ones tell more.
+  //
+  // The narrower layer must be wide against the noise: in one as thick as wide, a fit turns along
+  // the noise. And it must be broad, as must its inner half: if that is on one line of a scan, the
+  // quadric can turn along the noise of the line, and meet the few points of the next. Where the
+  // narrowest is not, it may be two sheets.
+  bool is_told_by(std::size_t k, const Layer& inner, const Layer& narrow, const Layer& wide,
+                  const Adaptive_settings& settings)
+  {
+    // The width over the thickness. With 4, edges are lost in the neighborhoods of CAD parts with
+    // noise (p99 up to 8 % larger); with less, noise that is wider than the spacing of the points
+    // hides more of itself.
+    constexpr double wide_enough = 3.3;
+
+    const double level = noise_of_layers(narrow, wide);
+    const double noise_in_wide = settings.tell_two_sheets ? noise_in_thickness(wide) : 1.;
+    const bool are_enough = k >= enough && inner.is_broad() && narrow.is_broad();
+    if (are_enough && narrow.width >= wide_enough * narrow.thickness)
+    {
+      noise.level = level * (k > smallest ? noise_in_wide : 1.);
+      noise.is_reliable = !holds_another_sheet(narrow, wide);
+      return true;
+    }
+    if (settings.limit_noise_by_shape && are_enough && are_thick_by_shape(narrow, wide))
+      limit = (std::min)(limit, level);
+    noise.level = wide.thickness * noise_in_wide;
+    return false;
+  }
+};
+
+// The noise of each range that layers around quadrics show.
 //
-// Where the narrowest is not, it may be two sheets. Where there is no such k up to 544, the noise
-// is all there is to see, and sigma is the thickness; but if that is more than the median, it may
-// be that of a thin part, and the median counts. If the points end before for most ranges, they are
-// too few to tell noise from shape, and are taken as they are. Nowhere does noise count for more
-// than is told by layers that are thick by their shape, as those of a twig are: of these, no k is
-// wide enough.
+// Where no k up to 544 tells it, the noise is all there is to see, and sigma is the thickness; but
+// if that is more than the median, it may be that of a thin part, and the median counts. If the
+// points end before for most ranges, they are too few to tell noise from shape, and are taken as
+// they are.
 template <typename ConcurrencyTag>
 std::vector<Shown_noise>
 noise_around_quadrics(const Noise_probes& probes, const Neighbor_search& search,
                       std::size_t number_of_points, const Adaptive_settings& settings)
 {
-  constexpr std::size_t smallest = 17, largest = 544;
-  // The width over the thickness. With 4, edges are lost in the neighborhoods of CAD parts with
-  // noise (p99 up to 8 % larger); with less, noise that is wider than the spacing of the points
-  // hides more of itself.
-  constexpr double wide_enough = 3.3;
-
   const auto layers = [&](const std::vector<std::size_t>& ranges, std::size_t k)
   { return median_layers<ConcurrencyTag>(probes, ranges, search, k, Layer_around_quadric()); };
-  const auto noise_in = [&](const Layer& layer)
-  { return settings.tell_two_sheets ? noise_in_thickness(layer) : 1.; };
+
   std::vector<std::size_t> unknown = all_ranges(probes);
-  std::vector<Shown_noise> noise(unknown.size());
-  std::vector<double> limit(unknown.size(), std::numeric_limits<double>::infinity());
-  std::vector<std::size_t> enough(unknown.size(), smallest); // points to hold several columns
-  std::size_t k = smallest;
+  std::vector<Noise_of_range> of_range(unknown.size());
+  std::size_t k = Noise_of_range::smallest;
   std::vector<Layer> inner = layers(unknown, k / 2), narrow = layers(unknown, k);
-  for (; !unknown.empty() && k <= largest && 2 * k <= number_of_points; k *= 2)
+  for (; !unknown.empty() && k <= Noise_of_range::largest && 2 * k <= number_of_points; k *= 2)
   {
     std::vector<Layer> wide = layers(unknown, 2 * k);
-    const std::vector<double> columns =
-        settings.find_columns
-            ? find_columns<ConcurrencyTag>(probes, unknown, search, k, narrow, wide)
-            : std::vector<double>(noise.size(), 0.);
-    std::vector<std::size_t> thick;
-    for (std::size_t range : unknown)
+    if (settings.find_columns)
     {
-      Shown_noise& here = noise[range];
-      if (columns[range] > 0.)
-      {
-        here.radius_of_columns = (std::max)(here.radius_of_columns, columns[range]);
-        enough[range] = 4 * k;
-      }
-      const double level = noise_of_layers(narrow[range], wide[range]);
-      const bool are_enough =
-          k >= enough[range] && inner[range].is_broad() && narrow[range].is_broad();
-      if (are_enough && narrow[range].width >= wide_enough * narrow[range].thickness)
-      {
-        here.level = level * (k > smallest ? noise_in(wide[range]) : 1.);
-        here.is_reliable = !holds_another_sheet(narrow[range], wide[range]);
-      }
-      else
-      {
-        if (settings.limit_noise_by_shape && are_enough &&
-            are_thick_by_shape(narrow[range], wide[range]))
-          limit[range] = (std::min)(limit[range], level);
-        // until a larger size tells more
-        here.level = wide[range].thickness * noise_in(wide[range]);
-        thick.push_back(range);
-      }
+      const std::vector<double> columns =
+          find_columns<ConcurrencyTag>(probes, unknown, search, k, narrow, wide);
+      for (std::size_t range : unknown)
+        if (columns[range] > 0.)
+        {
+          double& radius = of_range[range].noise.radius_of_columns;
+          radius = (std::max)(radius, columns[range]);
+          of_range[range].enough = 4 * k;
+        }
     }
-    unknown.swap(thick);
+    unknown.erase(std::remove_if(unknown.begin(), unknown.end(),
+                                 [&](std::size_t range) {
+      return of_range[range].is_told_by(k, inner[range], narrow[range], wide[range], settings);
+                  }),
+                  unknown.end());
     inner.swap(narrow);
     narrow.swap(wide);
   }
-  const bool are_too_few = k <= largest && 2 * unknown.size() >= noise.size();
+  const bool are_too_few = k <= Noise_of_range::largest && 2 * unknown.size() >= of_range.size();
   std::vector<double> levels;
-  for (const Shown_noise& here : noise)
-    levels.push_back(here.level);
+  for (const Noise_of_range& here : of_range)
+    levels.push_back(here.noise.level);
   const double most = are_too_few ? 0. : median(levels);
   for (std::size_t range : unknown)
-    limit[range] = (std::min)(limit[range], most);
-  for (std::size_t range = 0; range < noise.size(); ++range)
-    noise[range].level = (std::min)(noise[range].level, limit[range]);
+    of_range[range].limit = (std::min)(of_range[range].limit, most);
+  std::vector<Shown_noise> noise;
+  for (Noise_of_range& here : of_range)
+  {
+    here.noise.level = (std::min)(here.noise.level, here.limit);
+    noise.push_back(here.noise);
+  }
   return noise;
 }
 

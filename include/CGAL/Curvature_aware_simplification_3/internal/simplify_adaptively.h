@@ -66,8 +66,15 @@ Distinct_samples select_without_moving(const Cloud& cloud, const Neighbor_search
 }
 
 // The samples, in the frame. All that the stages need is measured in the input: outliers, noise,
-// density, curvature at the distance of the samples. The cloud and the search are taken, since each
-// stage lets go of what no later one needs.
+// density, curvature at the distance of the samples. Where to find the method of the paper:
+//
+//   kappa and rho (sec. 4.1, step 1)           clean_scan(), which also has what raw scans need
+//   the selection by them (sec. 4.1)           select_samples(), by curvature at the spacing
+//   attraction by points (eq. 8, first term)   place_on_surface(), a fit to them
+//   repulsion by samples (eq. 8, second term)  relax_on_surface(), in the tangent plane
+//
+// and project_samples() for the last fit. The cloud and the search are taken, since each stage lets
+// go of what no later one needs.
 template <typename ConcurrencyTag, typename DiagonalizeTraits>
 Distinct_samples simplify_adaptively(Cloud cloud, std::unique_ptr<Neighbor_search> search,
                                      const Parameters& parameters,
