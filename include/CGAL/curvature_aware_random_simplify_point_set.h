@@ -53,7 +53,9 @@ The complexity is \f$O(M (\log M + k))\f$.
         iterator of `PointRange`.
 
 \param points input point range, neither changed nor reordered
-\param output iterator where copies of the selected elements are put, in the order of the input
+\param output iterator where copies of the selected elements are put, in the order of the input. It may be
+       `points.begin()`, so that the container can be cut off behind the last of them with `erase()`, but must not
+       insert elements into `points`.
 \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed
        below
 
@@ -91,7 +93,7 @@ The complexity is \f$O(M (\log M + k))\f$.
   \cgalParamNBegin{adaptivity}
     \cgalParamDescription{how strongly the selection depends on curvature and density: \f$\alpha\f$}
     \cgalParamType{floating scalar value from 0 to 1}
-    \cgalParamDefault{`2/3`}
+    \cgalParamDefault{`2. / 3.`}
     \cgalParamExtra{With 0, all points are equally likely.}
   \cgalParamNEnd
 
@@ -154,14 +156,16 @@ curvature_aware_random_simplify_point_set(const PointRange& points, OutputIterat
   using namespace Curvature_aware_simplification_3::internal;
   using Types = Input_types<PointRange, NamedParameters>;
 
-  const Parameters parameters = read_parameters_of_selection(np, number_of_elements(points));
+  const Parameters parameters = read_parameters_of_selection(
+      np, Curvature_aware_simplification_3::internal::number_of_elements(points));
 
   std::vector<std::size_t> selected;
   try
   {
     const Progress progress(parameters.callback);
     progress.report(0.);
-    const Cloud cloud = read_cloud<ConcurrencyTag>(points, np);
+    const Cloud cloud =
+        Curvature_aware_simplification_3::internal::read_cloud<ConcurrencyTag>(points, np);
     const Neighbor_search search(cloud.points, ConcurrencyTag());
     const Features features = compute_features<ConcurrencyTag, typename Types::Diagonalize_traits>(
         cloud, search, parameters.number_of_neighbors, progress.part(0., 0.9));

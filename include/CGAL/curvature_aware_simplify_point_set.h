@@ -92,7 +92,8 @@ input then, so that a permutation of the input gives another selection.
 
 \param points input point range, neither changed nor reordered
 \param output iterator where the output points are put, exactly as many as asked for. Their order is
-       that of a space-filling curve through the selected points.
+       that of a space-filling curve through the selected points. All of `points` is read before the first of
+       them is put, so that they may be appended to the container of the input.
 \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed
        below
 
@@ -125,8 +126,8 @@ input then, so that a permutation of the input gives another selection.
     \cgalParamDescription{how strongly the density of the result depends on the curvature: the exponent
                           \f$\alpha\f$}
     \cgalParamType{floating scalar value from 0 to 1}
-    \cgalParamDefault{`2/3`}
-    \cgalParamExtra{With 0, the result is uniform. For a piecewise linear surface through the result, 1/2
+    \cgalParamDefault{`2. / 3.`}
+    \cgalParamExtra{With 0, the result is uniform. For a piecewise linear surface through the result, 0.5
                     gives the least mean error, 1 the least largest error. With the settings of the
                     paper, it is the weight \f$\alpha\f$ in the probabilities of section 4.1, and with 0
                     all points are equally likely.}
@@ -275,8 +276,9 @@ OutputIterator
 curvature_aware_simplify_point_set(const PointRange& points, OutputIterator output,
                                    const NamedParameters& np = parameters::default_values())
 {
-  using namespace Curvature_aware_simplification_3::internal;
-  return simplify_point_set<ConcurrencyTag>(points, output, np, Adaptive_settings());
+  namespace internal = Curvature_aware_simplification_3::internal;
+  return internal::simplify_point_set<ConcurrencyTag>(points, output, np,
+                                                      internal::Adaptive_settings());
 }
 
 } // namespace CGAL

@@ -15,6 +15,8 @@
 
 #include <CGAL/Named_function_parameters.h>
 
+#include <boost/property_map/property_map.hpp>
+
 #include <cstddef>
 #include <functional>
 #include <type_traits>
@@ -102,21 +104,20 @@ bool estimate_surface_variation(PointRange& points, std::size_t k,
                                 const NamedParameters& np = parameters::default_values())
 {
   using namespace Curvature_aware_simplification_3::internal;
-  using parameters::choose_parameter;
-  using parameters::get_parameter;
+  using boost::put; // of pointers, which are property maps as well
   using Types = Input_types<std::remove_const_t<PointRange>, NamedParameters>;
 
-  if (number_of_elements(points) == 0)
+  if (Curvature_aware_simplification_3::internal::number_of_elements(points) == 0)
     throw_empty_range();
   checked_count("k", k, 2, largest_count, count_from(2));
-  const std::function<bool(double)> callback =
-      choose_parameter(get_parameter(np, internal_np::callback), std::function<bool(double)>());
+  const std::function<bool(double)> callback = read_callback(np);
 
   try
   {
     const Progress progress(callback);
     progress.report(0.);
-    const Cloud cloud = read_cloud<ConcurrencyTag>(points, np);
+    const Cloud cloud =
+        Curvature_aware_simplification_3::internal::read_cloud<ConcurrencyTag>(points, np);
     const Neighbor_search search(cloud.points, ConcurrencyTag());
     const Features features = compute_features<ConcurrencyTag, typename Types::Diagonalize_traits>(
         cloud, search, k, progress);

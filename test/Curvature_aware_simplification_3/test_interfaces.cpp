@@ -3,9 +3,11 @@
 
 #include "surfaces.h"
 
+#include <CGAL/Aff_transformation_3.h>
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Point_set_3.h>
+#include <CGAL/Surface_mesh.h>
 #include <CGAL/curvature_aware_random_simplify_point_set.h>
 #include <CGAL/curvature_aware_simplify_point_set.h>
 #include <CGAL/estimate_surface_variation.h>
@@ -17,7 +19,10 @@
 #include <atomic>
 #include <cmath>
 #include <iterator>
+#include <limits>
 #include <list>
+#include <numeric>
+#include <random>
 #include <tuple>
 #include <vector>
 
@@ -82,6 +87,54 @@ TYPED_TEST(Kernels, know_their_rounding_error)
   }
 }
 
+// The intervals of such points are wide, whatever they are close to: each point after a rational
+// motion and the motion back is exactly the same.
+TEST(Exact_kernel, points_are_evaluated)
+{
+  using Exact = CGAL::Exact_predicates_exact_constructions_kernel;
+  const Exact::FT c = Exact::FT(3) / 5, s = Exact::FT(4) / 5;
+  const Exact::Aff_transformation_3 motion(c, -s, 0, Exact::FT(1) / 3, s, c, 0, Exact::FT(1) / 7, 0,
+                                           0, 1, 0),
+      back = motion.inverse();
+  std::vector<Exact::Point_3> once, twice;
+  for (const surfaces::Point& p : surfaces::torus(500, 3., 1., 1))
+  {
+    once.emplace_back(p.x(), p.y(), p.z());
+    twice.push_back(once.back());
+    twice.push_back(back(motion(once.back())));
+  }
+  const auto simplified = [](const std::vector<Exact::Point_3>& points)
+  {
+    std::vector<Exact::Point_3> output;
+    CGAL::Curvature_aware_simplification_report report;
+    CGAL::curvature_aware_simplify_point_set<Tag>(
+        points, std::back_inserter(output),
+        np::number_of_output_points(50).simplification_report(std::ref(report)));
+    EXPECT_EQ(report.number_of_distinct_points, 500u);
+    return output;
+  };
+  EXPECT_EQ(simplified(twice), simplified(once));
+}
+
+TEST(Float_kernel, has_no_infinite_results)
+{
+  using Float_point = CGAL::Simple_cartesian<float>::Point_3;
+  constexpr float most = (std::numeric_limits<float>::max)();
+  std::mt19937 random(1);
+  std::uniform_real_distribution<float> uniform(-1.f, 1.f);
+  std::vector<Float_point> points, output;
+  for (int i = 0; i < 4000; ++i)
+  {
+    const float y = uniform(random), z = uniform(random);
+    points.emplace_back(most * (1.f - 0.3f * y * y - 0.3f * z * z), most * y, most * z);
+  }
+  CGAL::curvature_aware_simplify_point_set<Tag>(points, std::back_inserter(output),
+                                                np::select_percentage(20));
+  EXPECT_EQ(output.size(), 800u);
+  for (const Float_point& p : output)
+    EXPECT_TRUE(std::isfinite(p.x()) && std::isfinite(p.y()) && std::isfinite(p.z())) << p;
+}
+
 using Kernel = CGAL::Simple_cartesian<double>;
 using Point = Kernel::Point_3;
 using Color = std::array<unsigned char, 3>;
@@ -97,6 +150,53 @@ std::vector<Element> elements(std::size_t n)
     result.emplace_back(p, Color{static_cast<unsigned char>(index % 256), 0, 1}, index);
   }
   return result;
+}
+
+// An application whose functions have the names of ours, for any argument
+namespace application {
+
+template <typename Range>
+std::size_t number_of_elements(const Range& range)
+{
+  return range.size();
+}
+template <typename Range, typename Map>
+std::vector<Point> read_coordinates(const Range&, const Map&);
+template <typename Concurrency, typename Range, typename Parameters>
+void read_cloud(const Range&, const Parameters&);
+template <typename Concurrency, typename Range, typename Output, typename Parameters,
+          typename Settings>
+void simplify_point_set(const Range&, Output, const Parameters&, const Settings&);
+
+struct Vertex
+{
+  Point place;
+};
+
+struct Place
+{
+  using key_type = Vertex;
+  using value_type = Point;
+  using reference = const Point&;
+  using category = boost::readable_property_map_tag;
+
+  friend const Point& get(const Place&, const Vertex& vertex) { return vertex.place; }
+};
+
+} // namespace application
+
+TEST(Ranges, of_types_with_functions_of_the_same_names)
+{
+  std::vector<application::Vertex> vertices, selected;
+  for (const Point& p : surfaces::torus(200, 3., 1., 4))
+    vertices.push_back({p});
+  std::vector<Point> output;
+  const auto parameters = np::point_map(application::Place());
+  CGAL::curvature_aware_simplify_point_set<Tag>(vertices, std::back_inserter(output), parameters);
+  CGAL::curvature_aware_random_simplify_point_set<Tag>(vertices, std::back_inserter(selected),
+                                                       parameters);
+  EXPECT_EQ(output.size(), 10u);
+  EXPECT_EQ(selected.size(), 10u);
 }
 
 TEST(Ranges, of_elements_with_attributes)
@@ -147,6 +247,39 @@ TEST(Ranges, of_other_kinds)
   std::vector<Point> place(50);
   EXPECT_EQ(CGAL::curvature_aware_simplify_point_set<Tag>(points, place.begin()), place.end());
   EXPECT_EQ(place, expected);
+}
+
+// Pointers are property maps of Boost, also where those of CGAL are declared.
+TEST(Ranges, with_pointers_as_maps)
+{
+  const std::vector<Point> points = surfaces::torus(500, 3., 1., 4);
+  std::vector<std::ptrdiff_t> indices(points.size()); // the keys of pointers
+  std::iota(indices.begin(), indices.end(), 0);
+  std::vector<double> variation(points.size(), -1.), expected(points.size(), -2.);
+  EXPECT_TRUE(CGAL::estimate_surface_variation<Tag>(indices, 16, variation.data(),
+                                                    np::point_map(points.data())));
+  EXPECT_TRUE(
+      CGAL::estimate_surface_variation<Tag>(indices, 16, CGAL::make_property_map(expected.data()),
+                                            np::point_map(CGAL::make_property_map(points.data()))));
+  EXPECT_EQ(variation, expected);
+}
+
+// as the manual says of each function
+TEST(Ranges, may_be_the_output_as_well)
+{
+  const std::vector<Point> points = surfaces::torus(1000, 3., 1., 4);
+  std::vector<Point> simplified, selected;
+  CGAL::curvature_aware_simplify_point_set<Tag>(points, std::back_inserter(simplified));
+  CGAL::curvature_aware_random_simplify_point_set<Tag>(points, std::back_inserter(selected));
+
+  std::vector<Point> both = points;
+  both.shrink_to_fit();
+  CGAL::curvature_aware_simplify_point_set<Tag>(both, std::back_inserter(both));
+  EXPECT_EQ(std::vector<Point>(both.begin() + 1000, both.end()), simplified);
+
+  both = points;
+  both.erase(CGAL::curvature_aware_random_simplify_point_set<Tag>(both, both.begin()), both.end());
+  EXPECT_EQ(both, selected);
 }
 
 TEST(Ranges, of_point_set_3)

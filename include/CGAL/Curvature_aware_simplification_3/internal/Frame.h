@@ -47,10 +47,10 @@ public:
                  length_to_frame(z - m_center.z()));
   }
 
-  // A sample may be a little outside of the box of the points, where there may be no numbers.
-  Point from_frame(const Point& p) const
+  // A sample may be a little outside of the box of the points, where the caller's number type may
+  // have no numbers.
+  Point from_frame(const Point& p, double largest = (std::numeric_limits<double>::max)()) const
   {
-    constexpr double largest = (std::numeric_limits<double>::max)();
     const auto coordinate = [&](int axis)
     { return (std::clamp)(m_center[axis] + length_from_frame(p[axis]), -largest, largest); };
     return Point(coordinate(0), coordinate(1), coordinate(2));

@@ -25,8 +25,14 @@
 #include <vector>
 
 namespace CGAL {
+
+template <typename ET>
+class Lazy_exact_nt; // that of Exact_predicates_exact_constructions_kernel
+
 namespace Curvature_aware_simplification_3 {
 namespace internal {
+
+// Calls with the caller's types are qualified: his namespaces may have functions of the same names.
 
 // Types that follow from the point range and the named parameters
 template <typename PointRange, typename NamedParameters>
@@ -46,26 +52,50 @@ std::size_t number_of_elements(const Range& range)
   return static_cast<std::size_t>(std::distance(range.begin(), range.end()));
 }
 
-// The relative error that a coordinate has by the rounding of its number type alone. Exact number
-// types hold what once was a double.
+// The machine number nearest to the caller's number type: an exact one is read as a double.
+template <typename FT>
+using Machine_number = std::conditional_t<std::is_same<FT, float>::value, float, double>;
+
+// The relative error that a coordinate has by rounding alone
 template <typename FT>
 constexpr double relative_rounding_error()
 {
-  using Number = std::conditional_t<std::is_same<FT, float>::value, float, double>;
-  return static_cast<double>(std::numeric_limits<Number>::epsilon());
+  return static_cast<double>(std::numeric_limits<Machine_number<FT>>::epsilon());
+}
+
+template <typename FT>
+constexpr double largest_coordinate()
+{
+  return static_cast<double>((std::numeric_limits<Machine_number<FT>>::max)());
+}
+
+template <typename FT>
+double coordinate_as_double(const FT& x)
+{
+  return CGAL::to_double(x);
+}
+
+// CGAL takes the middle of the interval that the number is known to be in, which may be 1e-5 of it
+// wide, and depends on what was asked of the number before.
+template <typename ET>
+double coordinate_as_double(const Lazy_exact_nt<ET>& x)
+{
+  return x.approx().is_point() ? x.approx().inf() : CGAL::to_double(x.exact());
 }
 
 // Coordinates of the caller's points as doubles; throws at the first that is not finite.
 template <typename PointRange, typename PointMap>
 std::vector<Point> read_coordinates(const PointRange& points, const PointMap& point_map)
 {
+  using boost::get; // of pointers, which are property maps as well
+
   std::vector<Point> coordinates;
-  coordinates.reserve(number_of_elements(points));
+  coordinates.reserve(internal::number_of_elements(points));
   for (const auto& element : points)
   {
     const auto& p = get(point_map, element);
-    coordinates.emplace_back(CGAL::to_double(p.x()), CGAL::to_double(p.y()),
-                             CGAL::to_double(p.z()));
+    coordinates.emplace_back(coordinate_as_double(p.x()), coordinate_as_double(p.y()),
+                             coordinate_as_double(p.z()));
     const Point& q = coordinates.back();
     if (!(std::isfinite(q.x()) && std::isfinite(q.y()) && std::isfinite(q.z())))
       throw std::invalid_argument("points: the point at index " +
@@ -81,7 +111,7 @@ Cloud read_cloud(const PointRange& points, const NamedParameters& np)
 {
   using Types = Input_types<PointRange, NamedParameters>;
   return make_cloud<ConcurrencyTag>(
-      read_coordinates(points, Types::NP_helper::get_const_point_map(points, np)),
+      internal::read_coordinates(points, Types::NP_helper::get_const_point_map(points, np)),
       relative_rounding_error<typename Types::Geom_traits::FT>());
 }
 

@@ -66,7 +66,8 @@ inline std::optional<Thick_plane> sparse_layer(const Cloud& cloud, const Neighbo
                           [&](std::size_t j, const Point& p, double)
                           {
     sums.add(p - place);
-    sparse_ones += features.inverse_density[j] > sparse ? 1 : 0;
+    if (features.inverse_density[j] > sparse)
+      ++sparse_ones;
   });
   const Eigen::Vector3d lambda = eigenvalues(sums);
   if (static_cast<double>(sparse_ones) < most * static_cast<double>(number) ||

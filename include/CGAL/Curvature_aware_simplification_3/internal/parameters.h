@@ -112,6 +112,18 @@ double number(const NamedParameters& np, const Tag& tag, double default_value)
       parameters::choose_parameter(parameters::get_parameter(np, tag), default_value));
 }
 
+template <typename NamedParameters>
+std::function<bool(double)> read_callback(const NamedParameters& np)
+{
+  using Callback = std::function<bool(double)>;
+  using Given = typename internal_np::Lookup_named_param_def<internal_np::callback_t,
+                                                             NamedParameters, Callback>::type;
+  static_assert(std::is_convertible<Given, Callback>::value,
+                "callback must take a double and return whether to go on, a bool");
+  return parameters::choose_parameter(parameters::get_parameter(np, internal_np::callback),
+                                      Callback());
+}
+
 // Those of the selection
 template <typename NamedParameters>
 Parameters read_parameters_of_selection(const NamedParameters& np, std::size_t number_of_points)
@@ -153,11 +165,12 @@ Parameters read_parameters_of_selection(const NamedParameters& np, std::size_t n
   result.adaptivity =
       checked("adaptivity", adaptivity, adaptivity >= 0. && adaptivity <= 1., "from 0 to 1");
 
-  result.random_seed = static_cast<std::uint64_t>(
-      choose_parameter(get_parameter(np, internal_np::random_seed), std::uint64_t(0)));
+  const auto seed = choose_parameter(get_parameter(np, internal_np::random_seed), std::uint64_t(0));
+  static_assert(std::is_integral<std::remove_const_t<decltype(seed)>>::value,
+                "random_seed must be an integer");
+  result.random_seed = static_cast<std::uint64_t>(seed);
 
-  result.callback =
-      choose_parameter(get_parameter(np, internal_np::callback), std::function<bool(double)>());
+  result.callback = read_callback(np);
   return result;
 }
 

@@ -22,6 +22,7 @@
 #include <cstddef>
 #include <functional>
 #include <memory>
+#include <type_traits>
 #include <utility>
 
 namespace CGAL {
@@ -42,8 +43,14 @@ OutputIterator simplify_point_set(const PointRange& points, OutputIterator outpu
   using Geom_traits = typename Types::Geom_traits;
   using FT = typename Geom_traits::FT;
   using Diagonalize_traits = typename Types::Diagonalize_traits;
+  using Report = std::reference_wrapper<Curvature_aware_simplification_report>;
+  using Given_report =
+      typename internal_np::Lookup_named_param_def<internal_np::simplification_report_t,
+                                                   NamedParameters, Report>::type;
+  static_assert(std::is_convertible<Given_report, Curvature_aware_simplification_report&>::value,
+                "simplification_report must be a reference: std::ref(report)");
 
-  const Parameters parameters = read_parameters(np, number_of_elements(points));
+  const Parameters parameters = read_parameters(np, internal::number_of_elements(points));
   const Progress progress(parameters.callback);
   Curvature_aware_simplification_report report;
   Stopwatch stopwatch;
@@ -51,7 +58,7 @@ OutputIterator simplify_point_set(const PointRange& points, OutputIterator outpu
   try
   {
     progress.report(0.);
-    Cloud cloud = read_cloud<ConcurrencyTag>(points, np);
+    Cloud cloud = internal::read_cloud<ConcurrencyTag>(points, np);
     progress.report(0.05);
     auto search = std::make_unique<Neighbor_search>(cloud.points, ConcurrencyTag());
     const Progress after_sorting = progress.part(0.1, 1.);
@@ -72,13 +79,14 @@ OutputIterator simplify_point_set(const PointRange& points, OutputIterator outpu
     progress.report(1.);
     for (std::size_t i = 0; i < samples.points.size(); ++i)
     {
-      const Point p = frame.from_frame(samples.points[i]);
+      const Point p = frame.from_frame(samples.points[i], largest_coordinate<FT>());
       for (std::size_t copy = 0; copy < samples.copies[i]; ++copy)
         *output++ = typename Geom_traits::Point_3(static_cast<FT>(p.x()), static_cast<FT>(p.y()),
                                                   static_cast<FT>(p.z()));
     }
-    choose_parameter(get_parameter(np, internal_np::simplification_report), std::ref(report))
-        .get() = report;
+    Curvature_aware_simplification_report& wanted =
+        choose_parameter(get_parameter(np, internal_np::simplification_report), std::ref(report));
+    wanted = report;
   }
   catch (const Cancelled&)
   {}
