@@ -32,7 +32,8 @@ class Lazy_exact_nt; // that of Exact_predicates_exact_constructions_kernel
 namespace Curvature_aware_simplification_3 {
 namespace internal {
 
-// Calls with the caller's types are qualified: where these are from, functions may have the same names.
+// Calls with the caller's types are qualified: where these are from, functions may have the same
+// names.
 
 // Types that follow from the point range and the named parameters
 template <typename PointRange, typename NamedParameters>
