@@ -153,19 +153,19 @@ OutputIterator
 curvature_aware_random_simplify_point_set(const PointRange& points, OutputIterator output,
                                           const NamedParameters& np = parameters::default_values())
 {
-  using namespace Curvature_aware_simplification_3::internal;
+  namespace internal = Curvature_aware_simplification_3::internal;
+  using namespace internal;
   using Types = Input_types<PointRange, NamedParameters>;
 
-  const Parameters parameters = read_parameters_of_selection(
-      np, Curvature_aware_simplification_3::internal::number_of_elements(points));
+  const Parameters parameters =
+      read_parameters_of_selection(np, internal::number_of_elements(points));
 
   std::vector<std::size_t> selected;
   try
   {
     const Progress progress(parameters.callback);
     progress.report(0.);
-    const Cloud cloud =
-        Curvature_aware_simplification_3::internal::read_cloud<ConcurrencyTag>(points, np);
+    const Cloud cloud = internal::read_cloud<ConcurrencyTag>(points, np);
     const Neighbor_search search(cloud.points, ConcurrencyTag());
     const Features features = compute_features<ConcurrencyTag, typename Types::Diagonalize_traits>(
         cloud, search, parameters.number_of_neighbors, progress.part(0., 0.9));

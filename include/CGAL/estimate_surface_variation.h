@@ -103,11 +103,12 @@ bool estimate_surface_variation(PointRange& points, std::size_t k,
                                 SurfaceVariationMap surface_variation_map,
                                 const NamedParameters& np = parameters::default_values())
 {
-  using namespace Curvature_aware_simplification_3::internal;
+  namespace internal = Curvature_aware_simplification_3::internal;
+  using namespace internal;
   using boost::put; // of pointers, which are property maps as well
   using Types = Input_types<std::remove_const_t<PointRange>, NamedParameters>;
 
-  if (Curvature_aware_simplification_3::internal::number_of_elements(points) == 0)
+  if (internal::number_of_elements(points) == 0)
     throw_empty_range();
   checked_count("k", k, 2, largest_count, count_from(2));
   const std::function<bool(double)> callback = read_callback(np);
@@ -116,8 +117,7 @@ bool estimate_surface_variation(PointRange& points, std::size_t k,
   {
     const Progress progress(callback);
     progress.report(0.);
-    const Cloud cloud =
-        Curvature_aware_simplification_3::internal::read_cloud<ConcurrencyTag>(points, np);
+    const Cloud cloud = internal::read_cloud<ConcurrencyTag>(points, np);
     const Neighbor_search search(cloud.points, ConcurrencyTag());
     const Features features = compute_features<ConcurrencyTag, typename Types::Diagonalize_traits>(
         cloud, search, k, progress);

@@ -18,6 +18,8 @@
 #include <array>
 #include <atomic>
 #include <cmath>
+#include <cstddef>
+#include <functional>
 #include <iterator>
 #include <limits>
 #include <list>

@@ -79,10 +79,11 @@ mark_far_points(const Cloud& cloud, const Neighbor_search& search, const Feature
 // far away vote for each other; they are those whose neighborhood is as thick as wide and has more
 // than 3 times the median radius, which noise alone does not give it; of those with 2 to 3 times,
 // the roundest are. Sparse parts of a surface look like that as well, but they are layers in wider
-// neighborhoods, flat points are nearby, or they are connected to denser parts. The votes of outliers do not count, which uncovers others:
-// in a volume, those that lose a third of theirs. Without single points between them, clusters are
-// apart. Where there are more than a few near the surface, some hide between its corners' votes and
-// those of points farther off: a second look, once, asks for half of the votes.
+// neighborhoods, flat points are nearby, or they are connected to denser parts. The votes of
+// outliers do not count, which uncovers others: in a volume, those that lose a third of theirs.
+// Without single points between them, clusters are apart. Where there are more than a few near the
+// surface, some hide between its corners' votes and those of points farther off: a second look,
+// once, asks for half of the votes.
 template <typename ConcurrencyTag>
 std::vector<std::uint8_t> find_outliers(const Cloud& cloud, const Neighbor_search& search,
                                         const Shared_features& shared, std::size_t k,

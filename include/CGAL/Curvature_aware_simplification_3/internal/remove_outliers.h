@@ -40,15 +40,15 @@ std::size_t remove_outliers(Cloud& cloud, std::unique_ptr<Neighbor_search>& sear
   shared.represented = std::vector<std::uint8_t>();
   std::vector<std::size_t> kept =
       indices_where<ConcurrencyTag>(n, [&](std::size_t i) { return is_outlier[i] == 0; });
+  const std::size_t number_found = n - kept.size();
   // What most points are is no outlier, and each sample needs a point to start from.
-  if (kept.size() == n || kept.size() < (std::max)(number_of_samples, (n + 1) / 2))
-    return n - kept.size();
+  if (number_found == 0 || kept.size() < (std::max)(number_of_samples, (n + 1) / 2))
+    return number_found;
 
   // To hide outliers saves a tree, an eighth of a call; but each search that meets one is done
   // again. Among 25 neighbors, one of a thousand is rarely met. With noise, when 3 % may be taken
   // for outliers and all points are smoothed, most searches meet one, which takes longer than a new
   // tree.
-  const std::size_t number_found = n - kept.size();
   const bool are_few = number_found <= n / 1000;
   if (are_few)
     search->hide(std::move(is_outlier));
