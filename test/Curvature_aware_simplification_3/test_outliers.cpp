@@ -601,6 +601,33 @@ TEST(Outliers, in_specks_are_found)
     }
 }
 
+// Four square posts as thin as 0.02 of their length, whose density falls 30 : 1 to their ends: there,
+// a few points are far from others. Nothing else tells of outliers, and up to 10 were taken for a
+// speck, which leaves an end without samples.
+TEST(Outliers, are_not_found_in_specks_where_thin_parts_become_sparse)
+{
+  for (const auto& [number, seed] : {std::make_pair(6000, 4u), std::make_pair(6000, 6u),
+                                     std::make_pair(12000, 1u), std::make_pair(12000, 6u)})
+  {
+    CGAL::Random random(seed);
+    std::vector<Point> points;
+    for (int i = 0; i < number; ++i)
+    {
+      const double z = random.get_double();
+      const int post = random.get_int(0, 4);
+      const double around = random.get_double(0., 4.);
+      const int side = static_cast<int>(around);
+      const double along = around - side;
+      const double x = side == 0 ? along : side == 1 ? 1. : side == 2 ? 1. - along : 0.;
+      const double y = side == 0 ? 0. : side == 1 ? along : side == 2 ? 1. : 1. - along;
+      if (random.get_double() < std::pow(30., -z))
+        points.emplace_back(post % 2 + 0.02 * x, post / 2 + 0.02 * y, z);
+    }
+    const std::vector<std::uint8_t> is_outlier = outliers_of(make_cloud<Tag>(points, 1e-16));
+    EXPECT_EQ(std::count(is_outlier.begin(), is_outlier.end(), 1), 0) << number << ' ' << seed;
+  }
+}
+
 TEST(Outliers, are_not_found_in_small_parts)
 {
   const auto outliers_with = [](const std::vector<Point>& part)

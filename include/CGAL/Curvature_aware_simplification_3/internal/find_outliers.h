@@ -28,15 +28,6 @@ namespace CGAL {
 namespace Curvature_aware_simplification_3 {
 namespace internal {
 
-// Whether so many points with few votes are more than a clean scan has. Of 15 of these, at most one
-// in 2000 points was taken for an outlier; where one in 20 was added, one in 130 at least had few
-// votes. Of few points, up to three are by chance: of 6000 clean squares, disks and ellipsoids of
-// 100 to 999 points, one had three, none had more.
-inline bool is_more_than_a_few(std::size_t with_few_votes, std::size_t points)
-{
-  return with_few_votes > 3 + points / 1000;
-}
-
 // Marks points that are far from others and thick, but for those that other points show to be on a
 // surface. `number_with_few_votes` of the outliers are near it. Returns those that are in noisy
 // layers.
