@@ -55,6 +55,13 @@ TEST(Analytic_surfaces, are_sampled_uniformly_per_area)
                                   [](const Point& p) { return std::abs(p.z()) == 0.5; });
   const double cap_area = 2. * (4. - (4. - CGAL_PI) * 0.16), side_area = 4.8 + 0.8 * CGAL_PI;
   EXPECT_NEAR(static_cast<double>(caps) / 1e5, cap_area / (cap_area + side_area), 0.01);
+
+  const Tube tube{Point(0., 0., 0.), Point(0., 0., 1.), 0.25};
+  const Points tube_points =
+      surfaces::sample(100000, 3, [&](CGAL::Random& random) { return tube.random_point(random); });
+  const auto ends = std::count_if(tube_points.begin(), tube_points.end(),
+                                  [](const Point& p) { return p.z() < 0. || p.z() > 1.; });
+  EXPECT_NEAR(static_cast<double>(ends) / 1e5, 0.5 / 1.5, 0.01);
 }
 
 TEST(Degradations, do_what_they_say)

@@ -174,9 +174,86 @@ inline Analytic_surface wavy_patch()
   return {random_point, distance, border};
 }
 
+// A tube of radius r around the segment from a to b, with round ends
+struct Tube
+{
+  Point a, b;
+  double radius;
+
+  double length() const { return std::sqrt(CGAL::squared_distance(a, b)); }
+
+  double signed_distance(const Point& p) const
+  {
+    const Vector axis = b - a;
+    const double t = std::clamp(((p - a) * axis) / axis.squared_length(), 0., 1.);
+    return std::sqrt(CGAL::squared_distance(p, a + t * axis)) - radius;
+  }
+
+  // uniform per area: r times a direction, on the half sphere of an end or on the circle around
+  Point random_point(CGAL::Random& random) const
+  {
+    const Vector axis = (b - a) / length();
+    const Vector direction = surfaces::random_direction(random);
+    if (random.uniform_real(0., length() + 2. * radius) < 2. * radius)
+      return (direction * axis < 0. ? a : b) + radius * direction;
+    const Vector across = direction - (direction * axis) * axis;
+    return a + random.uniform_real(0., 1.) * (b - a) +
+           radius / std::sqrt(across.squared_length()) * across;
+  }
+};
+
+// The tubes that grow from the outer part of a tube, at equal angles of about 50 degrees with it
+inline void grow(Tube from, int number, double length, double radius, std::vector<Tube>& tubes)
+{
+  const Vector axis = (from.b - from.a) / from.length();
+  Vector u = CGAL::cross_product(axis, Vector(0.36, 0.48, 0.8));
+  u = u / std::sqrt(u.squared_length());
+  const Vector v = CGAL::cross_product(axis, u);
+  for (int i = 0; i < number; ++i)
+  {
+    const double angle = 2.4 * i; // golden
+    const Point start = from.a + (0.35 + 0.65 * i / (number - 1.)) * (from.b - from.a);
+    const Vector direction = 0.64 * axis + 0.77 * (std::cos(angle) * u + std::sin(angle) * v);
+    tubes.push_back({start, start + length * direction, radius});
+  }
+}
+
+// A stem, 6 branches and 24 twigs. These are a third of the area, and 1 % of the diagonal thick. The
+// distance is too small inside the forks.
+inline Analytic_surface tree()
+{
+  std::vector<Tube> tubes = {{Point(0., 0., 0.), Point(0., 0., 1.), 0.04}};
+  grow(tubes[0], 6, 0.45, 0.012, tubes);
+  for (int branch = 1; branch <= 6; ++branch)
+    grow(tubes[branch], 4, 0.2, 0.008, tubes);
+  const auto signed_distance = [tubes](const Point& p)
+  {
+    double distance = tubes[0].signed_distance(p);
+    for (const Tube& tube : tubes)
+      distance = std::min(distance, tube.signed_distance(p));
+    return distance;
+  };
+  std::vector<double> area; // up to 2 pi, of the tubes up to each
+  for (const Tube& tube : tubes)
+    area.push_back((area.empty() ? 0. : area.back()) +
+                   tube.radius * (tube.length() + 2. * tube.radius));
+  const auto random_point = [=](CGAL::Random& random)
+  {
+    while (true) // until it is in no other tube
+    {
+      const double x = random.uniform_real(0., area.back());
+      const Point p =
+          tubes[std::lower_bound(area.begin(), area.end(), x) - area.begin()].random_point(random);
+      if (signed_distance(p) > -1e-9)
+        return p;
+    }
+  };
+  return {random_point, [=](const Point& p) { return std::abs(signed_distance(p)); }, nullptr};
+}
+
 inline std::vector<std::string> analytic_surface_names()
 {
-  return {"sphere", "torus", "ellipsoid", "rounded_box", "wavy_patch"};
+  return {"sphere", "torus", "ellipsoid", "rounded_box", "wavy_patch", "tree"};
 }
 
 inline Analytic_surface analytic_surface(const std::string& name)
@@ -191,6 +268,8 @@ inline Analytic_surface analytic_surface(const std::string& name)
     return rounded_box();
   if (name == "wavy_patch")
     return wavy_patch();
+  if (name == "tree")
+    return tree();
   throw std::invalid_argument("there is no analytic surface " + name);
 }
 
