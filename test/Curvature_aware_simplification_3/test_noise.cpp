@@ -177,6 +177,22 @@ TEST(Noise_level, is_found_on_lines_of_a_scan)
   }
 }
 
+// The nearer half of the 17 nearest points is on one line of a scan, and wider layers hold the other
+// sheet: noise was not found.
+TEST(Noise_level, is_found_on_lines_of_a_scan_of_two_close_sheets)
+{
+  constexpr double sigma = 0.04;
+  CGAL::Random random(43);
+  std::vector<Point> points;
+  for (int sheet = 0; sheet < 2; ++sheet)
+    for (int i = 0; i < 50; ++i)
+      for (int j = 0; j < 250; ++j)
+        points.emplace_back(i, 0.2 * (j + 0.5 * random.get_double()),
+                            1.5 * sheet + sigma * surfaces::normal_deviate(random));
+  for (double level : noise_of_points(make_cloud<Tag>(points, 1e-16)))
+    EXPECT_NEAR(level, sigma, 0.25 * sigma);
+}
+
 TEST(Noise_level, is_found_in_columns_of_points)
 {
   for (int frames : {5, 10, 20})
