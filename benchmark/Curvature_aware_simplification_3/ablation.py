@@ -7,7 +7,7 @@ from comparison import Case, in_words
 from page import write_table
 
 DEGRADATIONS = ["clean", "sparse", "noise:0.2", "outliers:5", "clusters:5", "density:10", "density:100",
-                "uneven_noise:0.2", "scan lines", "depth steps", "frames"]
+                "uneven_noise:0.2", "density:100+uneven_noise:1", "scan lines", "depth steps", "frames"]
 IDEAS = [
     ("uniform density", "adaptivity=0"),
     ("curvature in balls of half a spacing", "curvature_radius=0.5"),
@@ -27,6 +27,7 @@ IDEAS = [
     ("outliers not looked for", "find_outliers=0"),
     ("clusters not taken for outliers", "find_clusters=0"),
     ("sparse parts of a surface taken for outliers", "keep_sparse_surfaces=0"),
+    ("far parts with strong noise taken for outliers", "keep_noisy_layers=0"),
     ("noise not measured", "measure_noise=0"),
     ("noise measured in single columns of points", "find_columns=0"),
     ("the same noise everywhere", "noise_by_place=0"),

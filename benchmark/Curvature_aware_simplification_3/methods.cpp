@@ -236,6 +236,7 @@ Setting with_parameters(const std::string& parameters)
   set("widen_between_lines", settings.widen_between_lines);
   set("find_clusters", settings.find_clusters);
   set("keep_sparse_surfaces", settings.keep_sparse_surfaces);
+  set("keep_noisy_layers", settings.keep_noisy_layers);
   set("moves_to_foot_point", settings.moves_to_foot_point);
   set("denoise", settings.denoise);
   set("points_of_widest_fit", settings.points_of_widest_fit);

@@ -23,6 +23,8 @@ struct Adaptive_settings
   // Sparse parts of a surface are none, even where all their points are thick and far from each
   // other.
   bool keep_sparse_surfaces = true;
+  // Nor are those with so much noise that they look like a volume to their neighborhoods.
+  bool keep_noisy_layers = true;
   // Isolated clusters are outliers as well.
   bool find_clusters = true;
   // Noise is measured; without, there is taken to be none.

@@ -61,13 +61,14 @@ public:
   // when votes are asked for one by one, but their votes remain until they are taken back.
   template <typename ConcurrencyTag>
   Outlier_votes(const Cloud& cloud, const Neighbor_search& search, const Shared_features& shared,
-                std::size_t k, const Adaptive_settings& settings,
+                std::size_t k, bool are_outliers_dense, const Adaptive_settings& settings,
                 std::vector<std::uint8_t>& is_outlier, const ConcurrencyTag&)
     : m_cloud(cloud),
       m_search(search),
       m_shared(shared),
       m_k(k),
       m_quarter((std::max)(k / 4, std::size_t(1))),
+      m_are_outliers_dense(are_outliers_dense),
       m_rather_sparse(rather_far_inverse_density(shared.features.inverse_density)),
       m_settings(settings),
       m_votes(cloud.size()),
@@ -143,13 +144,14 @@ private:
   std::size_t votes(std::size_t i) const { return m_votes[i].load(std::memory_order_relaxed); }
 
   // A quarter of k: a corner of an open surface, the least that a surface has, gets a half. In a
-  // volume, two thirds of those that a point had at first: with less, much of what is around it are
+  // dense volume, two thirds of those that a point had at first: with less, much of what is around it are
   // outliers. With half, a ninth of them remains, in groups that vote for each other. A sparse
   // region of a surface has no outliers to lose.
   std::size_t few_votes(std::size_t i) const
   {
-    return m_is_in_layer[i] == 0 && is_thick_and_sparse(m_shared.features, i,
-                                                        least_variation_of_volumes, m_rather_sparse)
+    return m_are_outliers_dense && m_is_in_layer[i] == 0 &&
+                   is_thick_and_sparse(m_shared.features, i, least_variation_of_volumes,
+                                       m_rather_sparse)
                ? (std::max)(m_quarter, 2 * std::size_t(m_shared.votes[i]) / 3)
                : m_quarter;
   }
@@ -192,6 +194,7 @@ private:
   const Shared_features& m_shared;
   std::size_t m_k;
   std::size_t m_quarter; // of k, but 1 at least
+  bool m_are_outliers_dense;
   double m_rather_sparse;
   const Adaptive_settings& m_settings;
   std::vector<std::atomic<std::uint32_t>> m_votes; // sums of integers: the order does not matter

@@ -28,14 +28,14 @@ namespace CGAL {
 namespace Curvature_aware_simplification_3 {
 namespace internal {
 
-// Marks points that are far from others and thick, but for those that other points show to be on a
-// surface. `number_with_few_votes` of the outliers are near it. Returns those that are in noisy
-// layers.
+// Marks points that are far from others and thick, and of those that are rather far the roundest, if
+// outliers `are_dense`; but for those that other points show to be on a surface.
+// `number_with_few_votes` of the outliers are near it. Returns those that are in noisy layers.
 template <typename ConcurrencyTag>
 std::vector<std::size_t>
 mark_far_points(const Cloud& cloud, const Neighbor_search& search, const Features& features,
-                std::size_t k, std::size_t number_with_few_votes, const Adaptive_settings& settings,
-                std::vector<std::uint8_t>& is_outlier)
+                std::size_t k, std::size_t number_with_few_votes, bool are_dense,
+                const Adaptive_settings& settings, std::vector<std::uint8_t>& is_outlier)
 {
   const double sparse = far_inverse_density(features.inverse_density);
   const double rather_sparse = rather_far_inverse_density(features.inverse_density);
@@ -44,7 +44,8 @@ mark_far_points(const Cloud& cloud, const Neighbor_search& search, const Feature
                                                                           {
     return is_outlier[i] == 0 &&
            (is_thick_and_sparse(features, i, least_variation_of_volumes, sparse) ||
-            is_thick_and_sparse(features, i, least_variation_of_round_volumes, rather_sparse));
+            (are_dense &&
+             is_thick_and_sparse(features, i, least_variation_of_round_volumes, rather_sparse)));
   });
   for_each_index<ConcurrencyTag>(0, far_ones.size(),
                                  [&](std::size_t f) { is_outlier[far_ones[f]] = 1; });
@@ -52,8 +53,10 @@ mark_far_points(const Cloud& cloud, const Neighbor_search& search, const Feature
     return {};
   const bool are_likely =
       are_outliers_likely<ConcurrencyTag>(cloud, search, k, number_with_few_votes, far_ones);
-  std::vector<std::size_t> in_layers = unmark_noisy_layers<ConcurrencyTag>(
-      cloud, search, features, k, rather_sparse, far_ones, is_outlier);
+  std::vector<std::size_t> in_layers;
+  if (settings.keep_noisy_layers)
+    in_layers = unmark_noisy_layers<ConcurrencyTag>(cloud, search, features, k, rather_sparse,
+                                                    far_ones, is_outlier);
   unmark_sparse_surfaces<ConcurrencyTag>(cloud, search, features, k, rather_sparse,
                                          needed_share_of_votes(are_likely), far_ones, is_outlier);
   unmark_connected<ConcurrencyTag>(cloud, search, features, k, are_likely, far_ones, is_outlier);
@@ -68,10 +71,10 @@ mark_far_points(const Cloud& cloud, const Neighbor_search& search, const Feature
 // open surface half of them, and the density of the input cancels out: sparse regions vote for
 // themselves. An outlier near a surface has neighbors there, but is no neighbor of theirs. Outliers
 // far away vote for each other; they are those whose neighborhood is as thick as wide and has more
-// than 3 times the median radius, which noise alone does not give it; of those with 2 to 3 times,
-// the roundest are. Sparse parts of a surface look like that as well, but they are layers in wider
+// than 3 times the median radius, which noise alone does not give it; where some may be denser, the
+// roundest of those with 2 to 3 times as well. Sparse parts of a surface look like that as well, but they are layers in wider
 // neighborhoods, flat points are nearby, or they are connected to denser parts. The votes of
-// outliers do not count, which uncovers others: in a volume, those that lose a third of theirs.
+// outliers do not count, which uncovers others: in a dense volume, those that lose a third of theirs.
 // Without single points between them, clusters are apart. Where there are more than a few near the
 // surface, some hide between its corners' votes and those of points farther off: a second look,
 // once, asks for half of the votes.
@@ -87,10 +90,12 @@ std::vector<std::uint8_t> find_outliers(const Cloud& cloud, const Neighbor_searc
     return indices_where<ConcurrencyTag>(cloud.size(),
                                          [&](std::size_t i) { return is_outlier[i] != 0; });
   };
-  Outlier_votes votes(cloud, search, shared, k, settings, is_outlier, tag);
+  const bool are_dense = are_far_points_dense<ConcurrencyTag>(shared.features);
+  Outlier_votes votes(cloud, search, shared, k, are_dense, settings, is_outlier, tag);
   const std::size_t number_with_few_votes = votes.mark_few(tag).size();
   votes.trust(mark_far_points<ConcurrencyTag>(cloud, search, shared.features, k,
-                                              number_with_few_votes, settings, is_outlier),
+                                              number_with_few_votes, are_dense, settings,
+                                              is_outlier),
               tag);
   votes.take_back(marked(), tag);
   if (settings.find_clusters)
