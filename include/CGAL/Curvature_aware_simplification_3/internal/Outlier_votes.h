@@ -143,10 +143,10 @@ public:
 private:
   std::size_t votes(std::size_t i) const { return m_votes[i].load(std::memory_order_relaxed); }
 
-  // A quarter of k: a corner of an open surface, the least that a surface has, gets a half. In a
-  // dense volume, two thirds of those that a point had at first: with less, much of what is around it are
-  // outliers. With half, a ninth of them remains, in groups that vote for each other. A sparse
-  // region of a surface has no outliers to lose.
+  // A quarter of k: a corner of an open surface, the least that a surface has, gets a half. Where
+  // outliers are dense, two thirds of those that a point had at first: with less, much of what is
+  // around it are outliers. With half, a ninth of them remains, in groups that vote for each other.
+  // A sparse region of a surface has no outliers to lose.
   std::size_t few_votes(std::size_t i) const
   {
     return m_are_outliers_dense && m_is_in_layer[i] == 0 &&

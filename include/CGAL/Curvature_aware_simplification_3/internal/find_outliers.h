@@ -28,8 +28,8 @@ namespace CGAL {
 namespace Curvature_aware_simplification_3 {
 namespace internal {
 
-// Marks points that are far from others and thick, and of those that are rather far the roundest, if
-// outliers `are_dense`; but for those that other points show to be on a surface.
+// Marks points that are far from others and thick, and if outliers `are_dense`, the roundest of
+// those that are rather far, but for those that other points show to be on a surface.
 // `number_with_few_votes` of the outliers are near it. Returns those that are in noisy layers.
 template <typename ConcurrencyTag>
 std::vector<std::size_t>
@@ -72,12 +72,12 @@ mark_far_points(const Cloud& cloud, const Neighbor_search& search, const Feature
 // themselves. An outlier near a surface has neighbors there, but is no neighbor of theirs. Outliers
 // far away vote for each other; they are those whose neighborhood is as thick as wide and has more
 // than 3 times the median radius, which noise alone does not give it; where some may be denser, the
-// roundest of those with 2 to 3 times as well. Sparse parts of a surface look like that as well, but they are layers in wider
-// neighborhoods, flat points are nearby, or they are connected to denser parts. The votes of
-// outliers do not count, which uncovers others: in a dense volume, those that lose a third of theirs.
-// Without single points between them, clusters are apart. Where there are more than a few near the
-// surface, some hide between its corners' votes and those of points farther off: a second look,
-// once, asks for half of the votes.
+// roundest of those with 2 to 3 times are, too. Sparse parts of a surface look like that as well,
+// but they are layers in wider neighborhoods, flat points are nearby, or they are connected to
+// denser parts. The votes of outliers do not count, which uncovers others: where these are dense,
+// those that lose a third of theirs. Without single points between them, clusters are apart. Where
+// there are more than a few near the surface, some hide between its corners' votes and those of
+// points farther off: a second look, once, asks for half of the votes.
 template <typename ConcurrencyTag>
 std::vector<std::uint8_t> find_outliers(const Cloud& cloud, const Neighbor_search& search,
                                         const Shared_features& shared, std::size_t k,

@@ -200,9 +200,9 @@ private:
     return is_thick_everywhere && lambda(0) > least * lambda.sum();
   }
 
-  // Whether nothing else is in this ball: three times the root mean square radius is about as far from
-  // a cluster as it is wide. Where points come in small groups, as if each were measured many times,
-  // these are nearer to each other.
+  // Whether nothing else is in this ball: three times the root mean square radius is about as far
+  // from a cluster as it is wide. Where points come in small groups, as if each were measured many
+  // times, these are nearer to each other.
   bool is_apart(const std::vector<std::size_t>& cluster, const Point& center, double radius) const
   {
     std::size_t within = 0;

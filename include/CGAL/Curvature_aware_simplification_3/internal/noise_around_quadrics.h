@@ -66,17 +66,23 @@ struct Noise_of_range
   double limit = std::numeric_limits<double>::infinity();
   std::size_t enough = smallest; // points, to hold several columns
 
-  // What layers tell whose inner half is on one line of a scan: there, the quadric can turn along the
-  // noise of the line, meet the few points of the next, and show a part of the noise or none.
+  // What layers tell whose inner half is on one line of a scan: there, the quadric can turn along
+  // the noise of the line, meet the few points of the next, and show a part of the noise or none.
   std::optional<Shown_noise> doubtful;
+
+  void take(const Shown_noise& shown)
+  {
+    noise.level = shown.level;
+    noise.is_reliable = shown.is_reliable;
+  }
 
   // Whether layers of k / 2, k and 2 k points tell the noise. If not, it is taken to be the
   // thickness, until larger ones tell more.
   //
   // The narrower layer must be wide against the noise: in one as thick as wide, a fit turns along
-  // the noise. And it must be broad. Where the narrowest is not, it may be two sheets. Where its inner
-  // half is not broad, what it tells counts if larger ones, which see more of the shape, do not tell
-  // much more.
+  // the noise. And it must be broad. Where the narrowest is not, it may be two sheets. Where its
+  // inner half is not broad, what it tells counts if larger ones, which see more of the shape, do
+  // not tell much more.
   bool is_told_by(std::size_t k, const Layer& inner, const Layer& narrow, const Layer& wide,
                   const Adaptive_settings& settings)
   {
@@ -84,7 +90,7 @@ struct Noise_of_range
     // noise (p99 up to 8 % larger); with less, noise that is wider than the spacing of the points
     // hides more of itself.
     constexpr double wide_enough = 3.3;
-    // With 0.5, a half of the noise is missed on some lines 8 and 16 times as dense along as across.
+    // With 0.5, a third of the noise is missed on some lines 8 times as dense along as across.
     constexpr double nearly_all = 0.75;
 
     const double level = noise_of_layers(narrow, wide);
@@ -92,11 +98,11 @@ struct Noise_of_range
     const bool are_enough = k >= enough && narrow.is_broad();
     if (are_enough && narrow.width >= wide_enough * narrow.thickness)
     {
-      const Shown_noise shown{level * (k > smallest ? noise_in_wide : 1.), noise.radius_of_columns,
+      const Shown_noise shown{level * (k > smallest ? noise_in_wide : 1.), 0.,
                               !holds_another_sheet(narrow, wide)};
       if (inner.is_broad())
       {
-        noise = doubtful && doubtful->level >= nearly_all * shown.level ? *doubtful : shown;
+        take(doubtful && doubtful->level >= nearly_all * shown.level ? *doubtful : shown);
         return true;
       }
       doubtful = shown;
@@ -157,7 +163,7 @@ noise_around_quadrics(const Noise_probes& probes, const Neighbor_search& search,
   const double most = are_too_few ? 0. : median(levels);
   for (std::size_t range : unknown)
     if (of_range[range].doubtful)
-      of_range[range].noise = *of_range[range].doubtful;
+      of_range[range].take(*of_range[range].doubtful);
     else
       of_range[range].limit = (std::min)(of_range[range].limit, most);
   std::vector<Shown_noise> noise;

@@ -64,10 +64,10 @@ inline bool is_thick_and_sparse(const Features& features, std::size_t i, double 
   return features.surface_variation[i] > variation && features.inverse_density[i] > inverse_density;
 }
 
-// Whether what is far is hardly farther than that. Then outliers fill a volume so densely that some of
-// them have less than 3 times the median radius; if not, points that have less are of a surface. The
-// median radius of the far ones is 1.6 to 2.3 times what is far where 5 and 10 % of outliers fill the
-// box around a shape, more where it is thin, and 1.1 to 1.4 times with 20 and 30 %.
+// Whether what is far is hardly farther than that. Then outliers fill a volume so densely that some
+// of them have less than 3 times the median radius; if not, points that have less are of a surface.
+// The median radius of the far ones is 1.6 to 2.3 times what is far where 5 and 10 % of outliers
+// fill the box around a shape, more where it is thin, and 1.1 to 1.4 times with 20 and 30 %.
 template <typename ConcurrencyTag>
 bool are_far_points_dense(const Features& features)
 {
@@ -83,9 +83,9 @@ bool are_far_points_dense(const Features& features)
 }
 
 // Whether so many points that look like outliers are more than a clean scan has. Of 15 of these, at
-// most one in 2000 points had few votes; where one in 20 was an outlier, one in 130 at least had. Of
-// few points, up to three are by chance: of 6000 clean squares, disks and ellipsoids of 100 to 999
-// points, one had three, none had more.
+// most one in 2000 points had few votes; where one in 20 was an outlier, one in 130 at least had.
+// Of few points, up to three are by chance: of 6000 clean squares, disks and ellipsoids of 100 to
+// 999 points, one had three, none had more.
 inline bool is_more_than_a_few(std::size_t suspects, std::size_t points)
 {
   return suspects > 3 + points / 1000;
