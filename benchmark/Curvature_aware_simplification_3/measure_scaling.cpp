@@ -80,6 +80,15 @@ Points make_input(const std::string& name, std::size_t size)
       points.emplace_back(x, y, random.uniform_real(-1.1, 1.1));
     }
   }
+  else if (name == "sheets") // ten squares, 0.6 spacings of the points apart
+  {
+    const double apart = 0.6 * std::sqrt(10. / static_cast<double>(size));
+    while (points.size() < size)
+    {
+      const double x = random.uniform_real(0., 1.), y = random.uniform_real(0., 1.);
+      points.emplace_back(x, y, apart * static_cast<double>(points.size() % 10));
+    }
+  }
   else if (name == "noise" || name == "layer") // Gaussian, of one and of ten spacings of the points
   {
     const double area = 12. * CGAL_PI * CGAL_PI;
@@ -170,7 +179,7 @@ try
   po::options_description options("Options");
   options.add_options()("help", "this text");
   options.add_options()("input", po::value(&input)->default_value("torus"),
-                        "torus, duplicates, line, clusters, outliers, noise or layer");
+                        "torus, duplicates, line, clusters, outliers, noise, layer or sheets");
   options.add_options()("points", po::value(&size)->default_value(1000000), "of the input");
   options.add_options()("output-points", po::value(&n)->default_value(50000), "asked for");
   options.add_options()("neighbors", po::value(&neighbors)->default_value(16),

@@ -44,7 +44,7 @@ def scaling(build, igea, output):
     for size, n in ((134345, 13227), (1450000, 14600)):
         rows.append(row(f"torus, {size:,} → {n:,}",
                         measure(program, points=size, output_points=n, ratio=True)))
-    for name in ("torus", "duplicates", "line", "clusters", "outliers", "noise", "layer"):
+    for name in ("torus", "duplicates", "line", "clusters", "outliers", "noise", "layer", "sheets"):
         result = measure(program, points=200000, output_points=10000, input=name)
         clean = result if name == "torus" else clean
         rows.append(row(f"{name}, 200,000 → 10,000", result, clean))
@@ -81,7 +81,7 @@ def scaling(build, igea, output):
 
     text = ("Random points of a torus and what could cost more than those: each point ten times, all "
             "points on a line, two clusters 5e7 spacings apart, 10 % outliers, Gaussian noise of one and of "
-            "ten spacings of the points.\n\n"
+            "ten spacings of the points, ten squares 0.6 of these spacings apart.\n\n"
             + write_table(output / "scaling.csv", rows) + "\n![scaling](scaling.png)\n")
     if igea:
         run = subprocess.run([str(build / "compare_with_wlop"), str(igea), "13227"],

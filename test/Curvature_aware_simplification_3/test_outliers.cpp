@@ -2,6 +2,7 @@
 
 #include "inputs.h"
 
+#include <CGAL/Bbox_3.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Cloud.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Neighbor_search.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/find_outliers.h>
@@ -29,6 +30,19 @@ std::vector<std::uint8_t> outliers_of(const Cloud& cloud)
   const Neighbor_search search(cloud.points, Tag());
   return find_outliers<Tag>(cloud, search, shared_features_of(cloud, search), 16,
                             Adaptive_settings());
+}
+
+// n points, uniform in a box, put behind the others
+void add_outliers_in(const CGAL::Bbox_3& box, std::size_t n, unsigned int seed,
+                     std::vector<Point>& points)
+{
+  CGAL::Random random(seed);
+  for (std::size_t i = 0; i < n; ++i)
+  {
+    const double x = random.get_double(box.xmin(), box.xmax());
+    const double y = random.get_double(box.ymin(), box.ymax());
+    points.emplace_back(x, y, random.get_double(box.zmin(), box.zmax()));
+  }
 }
 
 // of a cube, with a density that falls to a hundredth along an axis
@@ -134,12 +148,7 @@ TEST(Outliers, around_a_sparse_thin_part_do_not_take_it_with_them)
   {
     std::vector<Point> points = sparse_helix(30., seed);
     const std::size_t surface = points.size();
-    CGAL::Random random(seed + 10);
-    while (points.size() < surface + surface / 20)
-    {
-      const double x = random.get_double(-1.3, 1.3), y = random.get_double(-1.3, 1.3);
-      points.emplace_back(x, y, random.get_double(-0.2, 2.4));
-    }
+    add_outliers_in(CGAL::Bbox_3(-1.3, -1.3, -0.2, 1.3, 1.3, 2.4), surface / 20, seed + 10, points);
     const Cloud cloud = make_cloud<Tag>(points, 1e-16);
     const std::vector<std::uint8_t> is_outlier = outliers_of(cloud);
     std::size_t lost = 0;
@@ -658,12 +667,8 @@ TEST(Outliers, that_are_far_leave_thin_parts_that_become_sparse)
   {
     std::vector<Point> points = sparse_posts(30000, 0.03, 10., seed);
     const std::size_t surface = points.size();
-    CGAL::Random random(seed + 200);
-    while (points.size() < surface + surface / 20)
-    {
-      const double x = random.get_double(-0.1, 1.2), y = random.get_double(-0.1, 1.2);
-      points.emplace_back(x, y, random.get_double(-0.1, 1.1));
-    }
+    add_outliers_in(CGAL::Bbox_3(-0.1, -0.1, -0.1, 1.2, 1.2, 1.1), surface / 20, seed + 200,
+                    points);
     const Cloud cloud = make_cloud<Tag>(points, 1e-16);
     const std::vector<std::uint8_t> is_outlier = outliers_of(cloud);
     std::size_t found = 0, lost = 0;
