@@ -202,11 +202,12 @@ struct Tube
   }
 };
 
-// The tubes that grow from the outer part of a tube, at equal angles of about 50 degrees with it
+// The tubes that grow from the outer part of a tube, at equal angles of about 50 degrees with it.
+// That one is a copy, since it may be one of `tubes`, which grow.
 inline void grow(Tube from, int number, double length, double radius, std::vector<Tube>& tubes)
 {
   const Vector axis = (from.b - from.a) / from.length();
-  Vector u = CGAL::cross_product(axis, Vector(0.36, 0.48, 0.8));
+  Vector u = CGAL::cross_product(axis, Vector(0.36, 0.48, 0.8)); // along none of the tubes
   u = u / std::sqrt(u.squared_length());
   const Vector v = CGAL::cross_product(axis, u);
   for (int i = 0; i < number; ++i)

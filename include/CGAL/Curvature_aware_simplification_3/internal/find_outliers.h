@@ -11,6 +11,7 @@
 #include <CGAL/Curvature_aware_simplification_3/internal/Neighbor_search.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Outlier_votes.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/connected_surfaces.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/dense_outliers.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/features.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/isolated_clusters.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/loops.h>
