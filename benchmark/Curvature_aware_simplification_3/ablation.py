@@ -34,6 +34,7 @@ IDEAS = [
     ("two noisy sheets not told from one", "tell_two_sheets=0"),
     ("noise not limited where layers are thick by shape", "limit_noise_by_shape=0"),
     ("noise measured around quadrics only", "noise_around_planes=0"),
+    ("noise not limited by what few points show", "limit_noise_by_planes=0"),
     ("points not smoothed first", "smooth_points=0"),
     ("points smoothed all the same where fits miss the shape",
      "residuals_explained_by_noise=1e300"),
@@ -42,7 +43,7 @@ IDEAS = [
     ("narrowest fits only", "denoise=0"),
     ("widest fits of half as many points", "points_of_widest_fit=289"),
     ("steps to wider fits by a Wiener filter", "missed_shape=0"),
-    ("fits not corrected by clean points", "correct_by_points=0"),
+    ("fits not corrected by points", "correct_by_points=0"),
     ("samples not moved to sharp edges", "move_to_edges=0"),
     ("samples not moved into corners of borders", "move_to_corners=0"),
 ]

@@ -211,4 +211,21 @@ TEST(Correction, by_one_point_moves_the_nearest_sample_and_fills_a_gap_with_the_
   EXPECT_EQ(samples[2].point, points[0]); // not missed
 }
 
+TEST(Correction, is_of_what_noise_does_not_explain)
+{
+  Surface_sample x; // on a horizontal plane
+  x.surface.origin = Point(0., 0., 0.);
+  x.surface.radius = 1.;
+  x.noise.is_visible = true;
+  for (double sigma : {0., 0.1})
+  {
+    x.noise.level = sigma;
+    EXPECT_TRUE(is_missed(x, Point(0.5, 0., 0.3)));
+  }
+  x.noise.level = 0.2;
+  EXPECT_FALSE(is_missed(x, Point(0.5, 0., 0.3)));
+  x.noise.level = 0.01; // noise does not explain it, but any fit errs so much
+  EXPECT_FALSE(is_missed(x, Point(0.5, 0., 0.09)));
+}
+
 } // namespace

@@ -40,6 +40,9 @@ struct Adaptive_settings
   bool limit_noise_by_shape = true;
   // Noise is what fits of quadrics and of planes both show; without, quadrics alone.
   bool noise_around_planes = true;
+  // It is no more than the nearest points of a place can show: next to the other side of a thin
+  // part, even if quadrics see only both.
+  bool limit_noise_by_planes = true;
 
   // With noise, points are first smoothed one by one.
   bool smooth_points = true;
@@ -104,8 +107,8 @@ struct Adaptive_settings
   // to wider fits are those of a Wiener filter, which go too far where shape is fine: with noise,
   // errors of heads and animals are 1 to 2 % larger, those of smooth parts 2 to 5 % smaller.
   double missed_shape = 0.547;
-  // Without noise and outliers, points of the input are on the surface, and correct fits that miss
-  // them.
+  // Without outliers, points of the input are on the surface but for noise, and correct fits that
+  // miss them.
   bool correct_by_points = true;
   // Samples next to a sharp edge are moved onto it.
   bool move_to_edges = true;

@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace CGAL {
 namespace Curvature_aware_simplification_3 {
@@ -21,6 +22,7 @@ struct Shown_noise
   double level = 0.;
   double radius_of_columns = 0.; // of balls that hold several of them, or 0
   bool is_reliable = true;       // if not, another kind of fits counts, whatever it shows
+  double limit = std::numeric_limits<double>::infinity(); // the noise is no more than this
 };
 
 // Standard deviation sigma of the noise, from layers of k and of 2 k points. Their thickness s

@@ -56,8 +56,11 @@ template <typename ConcurrencyTag>
 Noise_levels noise_of_scan(const std::vector<Point>& points, const Neighbor_search& search,
                            const Depth_levels& depth_levels, const Adaptive_settings& settings)
 {
+  // Points whose rounding was undone share what is left of it: a few hide it.
+  Adaptive_settings measured = settings;
+  measured.limit_noise_by_planes = settings.limit_noise_by_planes && depth_levels.heights.empty();
   Noise_levels noise = settings.measure_noise
-                           ? measure_noise<ConcurrencyTag>(points, search, settings)
+                           ? measure_noise<ConcurrencyTag>(points, search, measured)
                            : uniform_noise(0., points.size());
   if (!depth_levels.heights.empty())
     allow_for_rounding<ConcurrencyTag>(noise, points, depth_levels);

@@ -26,7 +26,9 @@ namespace internal {
 // The noise of a range that both kinds of fits show. What a fit misses of the shape looks like
 // noise and never makes it look less, so the one that shows less counts, if it is reliable. Next to
 // another sheet, quadrics are not: there, those of planes count, though these turn along the noise
-// and show up to a fifth too little of it.
+// and show up to a fifth too little of it. Where these are not reliable, they still set a limit:
+// where points are sparse, quadrics take both sides of a thin part that bends for one layer, and
+// the thickness of the part for noise.
 inline Noise noise_of_both(const Shown_noise& around_quadrics, const Shown_noise& around_planes)
 {
   Noise noise;
@@ -36,6 +38,7 @@ inline Noise noise_of_both(const Shown_noise& around_quadrics, const Shown_noise
     noise.level = (std::min)(around_quadrics.level, around_planes.level);
   else
     noise.level = around_quadrics.level;
+  noise.level = (std::min)(noise.level, around_planes.limit);
   noise.independent_level = noise.level;
   noise.radius_of_columns =
       (std::max)(around_quadrics.radius_of_columns, around_planes.radius_of_columns);

@@ -12,6 +12,7 @@
 #include <CGAL/Curvature_aware_simplification_3/internal/Noise_probes.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Shown_noise.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/find_columns.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/limits_of_noise.h>
 
 #include <cstddef>
 #include <vector>
@@ -40,6 +41,7 @@ std::vector<Shown_noise> noise_around_planes(const Noise_probes& probes,
   if (settings.find_columns)
     columns = find_columns<ConcurrencyTag>(probes, ranges, search, k, narrow, wide);
   std::vector<Shown_noise> noise(ranges.size());
+  std::vector<std::size_t> to_limit;
   for (std::size_t range : ranges)
   {
     Shown_noise& here = noise[range];
@@ -47,7 +49,12 @@ std::vector<Shown_noise> noise_around_planes(const Noise_probes& probes,
     const bool is_single = columns[range] == 0. && narrow[range].is_broad();
     here.level = is_single ? noise_of_layers(narrow[range], wide[range]) : 0.;
     here.is_reliable = is_single && narrow[range].width >= wide_enough * narrow[range].thickness;
+    if (settings.limit_noise_by_planes && columns[range] == 0. && !here.is_reliable)
+      to_limit.push_back(range);
   }
+  const std::vector<double> limits = limits_of_noise<ConcurrencyTag>(probes, to_limit, search);
+  for (std::size_t range : to_limit)
+    noise[range].limit = limits[range];
   return noise;
 }
 

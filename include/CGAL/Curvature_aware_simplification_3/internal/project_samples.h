@@ -41,10 +41,10 @@ void project_samples(std::vector<Surface_sample>& samples, const Sample_neighbor
     Surface_sample& x = samples[i];
     nearest[i] = x.place(fit.with(x.noise), x.point, x.normal, rounds_to_stay);
   });
-  if (fit.settings.correct_by_points && !scan.had_many_outliers)
-    correct_by_points<ConcurrencyTag>(samples, nearest, neighbors, fit);
   if (fit.settings.denoise && scan.noise.is_visible())
     denoise_samples<ConcurrencyTag>(samples, fit, progress.part(0.4, 0.8));
+  if (fit.settings.correct_by_points && !scan.had_many_outliers)
+    correct_by_points<ConcurrencyTag>(samples, nearest, neighbors, fit);
   if (fit.settings.move_to_edges)
   {
     const std::vector<Point> bent = elements_at<ConcurrencyTag>(
