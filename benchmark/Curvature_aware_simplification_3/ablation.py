@@ -7,7 +7,8 @@ from comparison import Case, in_words
 from page import write_table
 
 DEGRADATIONS = ["clean", "sparse", "noise:0.2", "outliers:5", "clusters:5", "density:10", "density:100",
-                "uneven_noise:0.2", "density:100+uneven_noise:1", "scan lines", "depth steps", "frames"]
+                "uneven_noise:0.2", "density:100+uneven_noise:1", "scan lines", "depth steps", "frames",
+                "few points"]
 IDEAS = [
     ("uniform density", "adaptivity=0"),
     ("curvature in balls of half a spacing", "curvature_radius=0.5"),
@@ -73,6 +74,9 @@ def cases(igea, meshes):
                 # 10,000 points ten times, with noise of a third of their spacing; percentage of the 10,000
                 yield degradation, Case(source, source, "frames:0.3", percentage=10, sample=10000)
                 continue
+            if degradation == "few points":
+                yield degradation, Case(source, source, "noise:0.1", percentage=15, sample=6000)
+                continue
             sparse = degradation == "sparse"
             yield degradation, Case(source, source, "clean" if sparse else degradation,
                                     percentage=1 if sparse else 10, sample=sample)
@@ -112,6 +116,6 @@ def ablation(comparison, igea, meshes, output):
             "*Sparse*: 1 % of the points. *Scan lines*: 1,500 of 20,000 points on lines that are four "
             "times as far apart as these, with noise. *Depth steps*: 30,000 points with a noise of "
             "0.1 %, whose depth is then rounded to steps of 1 %. *Frames*: each of 10,000 points ten "
-            "times, with a noise of 0.3 % along one direction. Of the tree with *density 100*, fewer points "
-            "are left than are asked for.\n\n"
+            "times, with a noise of 0.3 % along one direction. *Few points*: 900 of 6,000, with a noise of "
+            "0.1 %. Of the tree with *density 100*, fewer points are left than are asked for.\n\n"
             + write_table(output / "ablation.csv", rows))

@@ -215,7 +215,7 @@ TEST(Correction, is_of_what_noise_does_not_explain)
 {
   Surface_sample x; // on a horizontal plane
   x.surface.origin = Point(0., 0., 0.);
-  x.surface.radius = 1.;
+  x.surface.radius = x.spacing = 1.;
   x.noise.is_visible = true;
   for (double sigma : {0., 0.1})
   {
@@ -225,6 +225,10 @@ TEST(Correction, is_of_what_noise_does_not_explain)
   x.noise.level = 0.2;
   EXPECT_FALSE(is_missed(x, Point(0.5, 0., 0.3)));
   x.noise.level = 0.01; // noise does not explain it, but any fit errs so much
+  EXPECT_FALSE(is_missed(x, Point(0.5, 0., 0.09)));
+  x.spacing = 0.8; // samples that are nearer to each other than the fit is wide show it
+  EXPECT_TRUE(is_missed(x, Point(0.5, 0., 0.09)));
+  x.spacing = 10.; // those that are far sparser than the points do not
   EXPECT_FALSE(is_missed(x, Point(0.5, 0., 0.09)));
 }
 

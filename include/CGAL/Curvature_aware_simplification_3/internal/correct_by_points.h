@@ -31,12 +31,14 @@ inline bool is_missed(const Surface_sample& x, const Point& nearest)
 {
   // Of the radius of the fit, more than most points next to a fold of 90 degrees are off, 0.06.
   // With 0.05, samples on both sides of sharp edges move as well, and errors at 1 % of the points
-  // are 2 % larger.
+  // are 2 % larger. Where samples are nearly as dense as the points, a fit is wider than they are
+  // apart, and they show what it misses: there, of their spacing.
   constexpr double largest_error = 0.1;
   // Noise alone carries one point in 80 that far.
   constexpr double largest_noise = 2.5;
   return std::abs(x.surface.residual(nearest - x.surface.origin)) >
-         (std::max)(largest_error * x.surface.radius, largest_noise * x.noise.level);
+         (std::max)(largest_error * (std::min)(x.surface.radius, x.spacing),
+                    largest_noise * x.noise.level);
 }
 
 // The squared distance of a point to the nearest of these samples
