@@ -33,8 +33,8 @@ struct Plane_of_few_points
   double shown_part;           // of the noise
 
   // `turn` is the sine of the angle to the plane of many points. Noise turns planes of so few by
-  // 0.3 to 0.45, the other side of a thin part hardly. Planes through two columns of points stand
-  // on the surface, at 0.65 to 0.9, and show no noise.
+  // 0.25 to 0.45, the other side of a thin part by 0.2 to 0.6. Planes through two columns of points
+  // stand on the surface, at 0.65 to 0.9, and show no noise.
   double limit(const Layer& layer, double turn) const
   {
     constexpr double largest_turn = 0.6;
