@@ -35,6 +35,7 @@ IDEAS = [
     ("two noisy sheets not told from one", "tell_two_sheets=0"),
     ("noise not limited where layers are thick by shape", "limit_noise_by_shape=0"),
     ("noise measured around quadrics only", "noise_around_planes=0"),
+    ("noise taken from fits that stand on the surface as well", "tell_standing_fits=0"),
     ("noise not limited by what few points show", "limit_noise_by_planes=0"),
     ("points not smoothed first", "smooth_points=0"),
     ("points smoothed all the same where fits miss the shape",

@@ -221,6 +221,7 @@ Setting with_parameters(const std::string& parameters)
   set("tell_two_sheets", settings.tell_two_sheets);
   set("limit_noise_by_shape", settings.limit_noise_by_shape);
   set("noise_around_planes", settings.noise_around_planes);
+  set("tell_standing_fits", settings.tell_standing_fits);
   set("limit_noise_by_planes", settings.limit_noise_by_planes);
   set("curvature_radius", settings.curvature_radius);
   set("least_curvature", settings.least_curvature);

@@ -195,6 +195,89 @@ TEST(Noise_level, is_found_on_lines_of_a_scan_of_two_close_sheets)
     EXPECT_NEAR(level, sigma, 0.25 * sigma);
 }
 
+// Lines of points 1 apart, `gap` from each other, in sheets at these heights, with noise of the range
+std::vector<Point> lines_of_a_scan(double gap, double sigma, std::vector<double> heights, int seed)
+{
+  const double extent = 50. * std::sqrt(gap);
+  CGAL::Random random(static_cast<unsigned int>(seed));
+  std::vector<Point> points;
+  for (double height : heights)
+    for (double y = random.uniform_real(0., gap); y < extent; y += gap)
+      for (double x = random.get_double(); x < extent; x += 1.)
+        points.emplace_back(x + random.uniform_real(-0.3, 0.3), y,
+                            height + sigma * surfaces::normal_deviate(random));
+  return points;
+}
+
+// The 7 nearest points, and where lines are far apart the 17 and the 28 nearest, are in the plane of
+// the noise of one line, which stands on the surface: no noise was found, and samples were up to 2.3
+// sigma off.
+TEST(Noise_level, as_large_as_the_distance_of_points_on_lines_of_a_scan)
+{
+  for (double gap : {4., 8., 16., 24.})
+    for (double sigma : {1., 1.5})
+      EXPECT_NEAR(noise_of(lines_of_a_scan(gap, sigma, {0.}, 44)) / sigma, 0.9, 0.15)
+          << gap << ' ' << sigma;
+  // of two sheets, it is not their distance
+  EXPECT_NEAR(noise_of(lines_of_a_scan(4., 1., {0., 10.}, 44)), 0.9, 0.15);
+  EXPECT_NEAR(noise_of(lines_of_a_scan(16., 1., {0., 40.}, 44)), 1., 0.15);
+}
+
+// Wider layers hold the other sheet, and planes tell nothing: the noise was lost.
+TEST(Noise_level, is_found_on_lines_of_a_scan_next_to_another_sheet)
+{
+  for (int seed : {1, 2, 3})
+    EXPECT_NEAR(noise_of(lines_of_a_scan(3.5, 0.3, {0., 5.5}, seed)) / 0.3, 0.8, 0.25);
+  EXPECT_LT(noise_of(lines_of_a_scan(3.5, 0., {0., 5.5}, 1)), 1e-6);
+}
+
+TEST(Layers, that_jump_and_that_are_steady)
+{
+  // thickness, width, length, kurtosis
+  EXPECT_TRUE(jumps({1., 7., 7., 0.}, {3.1, 10., 10., 0.}));
+  EXPECT_FALSE(jumps({1., 7., 7., 0.}, {2.6, 10., 10., 0.})); // shape
+  EXPECT_FALSE(jumps({0., 7., 7., 0.}, {0., 10., 10., 0.}));  // a plane
+  EXPECT_TRUE(is_steady({1., 7., 7., 0.}, {1.05, 10., 10., -0.45}));
+  EXPECT_FALSE(is_steady({1., 7., 7., 0.}, {1.4, 10., 10., -0.45})); // shape
+  EXPECT_FALSE(is_steady({1., 7., 7., 0.}, {1.05, 10., 10., -1.}));  // two sheets
+}
+
+// Layers of 17, 34, 68 and 136 points of which the smallest stand on the surface
+TEST(Noise_of_range, is_confirmed_by_layers_that_stay_as_thick)
+{
+  const Layer standing = {0.1, 4., 9., 0.}, lying = {1., 8., 11., 0.}, larger = {1., 12., 13., 0.},
+              shape = {2., 12., 13., 0.};
+  const Adaptive_settings settings;
+  Shown_noise nothing;
+  nothing.is_reliable = false;
+  {
+    Noise_of_range range;
+    EXPECT_FALSE(range.learn_from(17, standing, standing, lying, nothing, settings));
+    EXPECT_FALSE(range.learn_from(34, standing, lying, larger, nothing, settings));
+    EXPECT_TRUE(range.learn_from(68, lying, larger, larger, nothing, settings));
+    EXPECT_NEAR(range.noise.level, 1., 1e-12);
+    EXPECT_TRUE(range.noise.is_steady);
+  }
+  {
+    Noise_of_range range;
+    EXPECT_FALSE(range.learn_from(17, standing, standing, lying, nothing, settings));
+    EXPECT_TRUE(range.learn_from(34, standing, lying, shape, nothing, settings));
+    EXPECT_EQ(range.noise.level, 0.); // as shape alone leaves it
+    EXPECT_FALSE(range.noise.is_steady);
+  }
+  // planes that show much less are asked for two sizes as well; others are not
+  Shown_noise planes;
+  planes.level = 0.1;
+  Noise_of_range range;
+  EXPECT_FALSE(range.learn_from(34, lying, lying, larger, planes, settings));
+  EXPECT_TRUE(range.learn_from(68, lying, larger, larger, planes, settings));
+  EXPECT_TRUE(range.noise.is_steady);
+  planes.level = 0.9;
+  Noise_of_range agreed;
+  EXPECT_TRUE(agreed.learn_from(34, lying, lying, larger, planes, settings));
+  EXPECT_FALSE(agreed.noise.is_steady);
+}
+
 TEST(Noise_level, is_found_in_columns_of_points)
 {
   for (int frames : {5, 10, 20})

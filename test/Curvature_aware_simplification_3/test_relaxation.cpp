@@ -211,6 +211,38 @@ TEST(Correction, by_one_point_moves_the_nearest_sample_and_fills_a_gap_with_the_
   EXPECT_EQ(samples[2].point, points[0]); // not missed
 }
 
+// Samples at the place of another fill gaps, whatever brought them there, each its own: samples
+// before were not looked at again, and three filled neighboring places.
+TEST(Correction, puts_samples_at_the_place_of_another_into_gaps_of_their_own)
+{
+  std::vector<Point> points;
+  for (int x = 0; x < 19; ++x)
+    points.emplace_back(x, 0., 0.);
+  const std::vector<Point> places(4, points[0]);
+  for (double sigma : {0., 0.1})
+  {
+    std::vector<Surface_sample> samples(4);
+    for (Surface_sample& sample : samples)
+    {
+      sample.point = sample.surface.origin = points[0];
+      sample.surface.radius = sample.spacing = 5.;
+      sample.noise.level = sigma;
+      sample.noise.is_visible = sigma > 0.;
+    }
+    Sample_neighbors neighbors;
+    neighbors.search(places, 3, Tag());
+    const Neighbor_search search(points, Tag());
+    correct_by_points<Tag>(samples, places, neighbors, Surface_fit{search, points.size()});
+    EXPECT_EQ(samples[0].point, points[0]);
+    EXPECT_EQ(samples[1].point, points[18]);
+    EXPECT_EQ(samples[2].point, points[9]);
+    EXPECT_EQ(samples[3].point.x() == 4. || samples[3].point.x() == 5. ||
+                  samples[3].point.x() == 13. || samples[3].point.x() == 14.,
+              true)
+        << samples[3].point;
+  }
+}
+
 TEST(Correction, is_of_what_noise_does_not_explain)
 {
   Surface_sample x; // on a horizontal plane

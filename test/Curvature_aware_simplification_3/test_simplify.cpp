@@ -863,7 +863,7 @@ TEST(Adaptive, samples_of_a_curve_are_at_different_places)
     std::size_t copies = 0;
     for (std::size_t i = 1; i < n; ++i)
       copies += angles[i] - angles[i - 1] < 1e-9 ? 1 : 0;
-    EXPECT_LE(copies, 2u) << n;
+    EXPECT_LE(copies, 5u) << n; // of 4500, where all of the 19 points around have a sample
   }
 }
 

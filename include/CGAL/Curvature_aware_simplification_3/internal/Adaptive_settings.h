@@ -40,6 +40,9 @@ struct Adaptive_settings
   bool limit_noise_by_shape = true;
   // Noise is what fits of quadrics and of planes both show; without, quadrics alone.
   bool noise_around_planes = true;
+  // Fits that stand on the surface do not show its noise, as on one line of a scan whose points are
+  // no farther apart than noise is large.
+  bool tell_standing_fits = true;
   // It is no more than the nearest points of a place can show: next to the other side of a thin
   // part, even if quadrics see only both.
   bool limit_noise_by_planes = true;

@@ -28,7 +28,6 @@ struct Surface_sample
   Noise noise;           // of the input around
   Point point = Point(0., 0., 0.);
   Vector normal = Vector(0., 0., 1.);
-  bool went_back = false; // to a point of the input at least once, from a gap
 
   void move_to(double new_a, double new_b)
   {
@@ -63,7 +62,6 @@ struct Surface_sample
         surface.is_curve ? 4. * squared_radius / (n * n) : points_in_gap / n * squared_radius;
     if (squared_distance(nearest, point) <= squared_gap + height * height)
       return nearest;
-    went_back = true;
     fit_and_move(fit, nearest, guess, rounds, neighborhood);
     return neighborhood.nearest(point);
   }

@@ -15,7 +15,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <cstdint>
 #include <limits>
 #include <set>
 #include <utility>
@@ -52,55 +51,47 @@ double squared_distance_to_samples(const Point& p, const Neighbors& neighbors,
   return result;
 }
 
-// Of the points of the input around a sample that are not `taken`, the one that is farthest from
-// all samples; the place of the sample itself if there is none
+// Of the points of the input around a sample, the one that is farthest from all samples and from the
+// points that are `taken` since these were listed; the place of the sample itself if all are
 inline Point point_in_largest_gap(const Surface_sample& x, const Neighbor_search& samples,
                                   const std::set<Point>& taken, const Surface_fit& fit)
 {
-  Point result = x.point;
-  double largest = 0.;
+  std::vector<Point> around, taken_around;
   fit.search.for_each_nearest(x.point, (std::min)(smallest_neighborhood, fit.number_of_points),
                               [&](std::size_t, const Point& p, double)
-                              {
-    const double gap = squared_distance(p, samples.nearest(p));
-    if (gap > largest && taken.count(p) == 0)
+                              { (taken.count(p) == 0 ? around : taken_around).push_back(p); });
+  Point result = x.point;
+  double largest = 0.;
+  for (const Point& p : around)
+  {
+    double gap = squared_distance(p, samples.nearest(p));
+    for (const Point& other : taken_around)
+      gap = (std::min)(gap, squared_distance(p, other));
+    if (gap > largest)
     {
       largest = gap;
       result = p;
     }
-  });
+  }
   return result;
 }
 
-// Samples at the place of one before them. Of those that came to the same gap and went back to the
-// same point, as many do on curves, no direction leads away from each other.
+// Samples at the place of one before them, from which no direction leads away: many on curves, where
+// they come to the same gap and go back to the same point, or stop at the same end.
 template <typename ConcurrencyTag>
-std::vector<std::size_t> copies_of_others(const std::vector<Surface_sample>& samples)
+std::vector<std::size_t> copies_of_others(const std::vector<Surface_sample>& samples,
+                                          const Sample_neighbors& neighbors)
 {
-  constexpr double same_place = 1e-6; // in spacings
-  const std::vector<std::size_t> went_back = indices_where<ConcurrencyTag>(samples.size(),
-                                                                           [&](std::size_t i) {
-    return samples[i].went_back && !samples[i].noise.is_visible;
+  constexpr double same_place = 1e-3; // in spacings
+  return indices_where<ConcurrencyTag>(samples.size(),
+                                       [&](std::size_t i)
+                                       {
+    const double limit = same_place * samples[i].spacing;
+    for (std::size_t j : neighbors.of(i))
+      if (j < i && squared_distance(samples[i].point, samples[j].point) <= limit * limit)
+        return true;
+    return false;
   });
-  if (went_back.empty())
-    return {};
-  const Neighbor_search search(points_of<ConcurrencyTag>(samples), ConcurrencyTag());
-  std::vector<std::uint8_t> is_copy(went_back.size(), 0);
-  for_each_index<ConcurrencyTag>(0, went_back.size(),
-                                 [&](std::size_t c)
-                                 {
-    const Surface_sample& x = samples[went_back[c]];
-    search.for_each_within(x.point, same_place * x.spacing,
-                           [&](std::size_t j, const Point&, double)
-                           {
-      if (j < went_back[c])
-        is_copy[c] = 1;
-    });
-  });
-  return elements_at<ConcurrencyTag>(indices_where<ConcurrencyTag>(went_back.size(),
-                                                                   [&](std::size_t c)
-                                                                   { return is_copy[c] != 0; }),
-                                     went_back);
 }
 
 // Moves samples whose fits miss the points that are nearest to them there, if no other sample is at
@@ -113,7 +104,7 @@ void correct_by_points(std::vector<Surface_sample>& samples, const std::vector<P
 {
   constexpr double same_place = 0.1; // in spacings: two samples there show no more than one
 
-  const std::vector<std::size_t> copies = copies_of_others<ConcurrencyTag>(samples);
+  const std::vector<std::size_t> copies = copies_of_others<ConcurrencyTag>(samples, neighbors);
   std::vector<std::size_t> missed = indices_where<ConcurrencyTag>(samples.size(),
                                                                   [&](std::size_t i)
                                                                   {

@@ -66,15 +66,13 @@ std::vector<double> find_columns(const Noise_probes& probes, const std::vector<s
                                  const std::vector<Layer>& narrow, const std::vector<Layer>& wide)
 {
   constexpr double steep = 0.3; // lines of a scan are in the surface
-  // Of the thickness, from k to 2 k points: 1.4 to 2.6 on clean shapes. Where it is no more, k
-  // points are not too few, and there is nothing to ask.
-  constexpr double flat = 1e-3, jump = 3.;
-  std::vector<std::size_t> suspects;
+  constexpr double flat = 1e-3;
+  std::vector<std::size_t> suspects; // elsewhere, k points are enough, and there is nothing to ask
   std::copy_if(ranges.begin(), ranges.end(), std::back_inserter(suspects),
                [&](std::size_t range)
                {
     return narrow[range].thickness < flat * narrow[range].width ||
-           wide[range].thickness > jump * narrow[range].thickness;
+           jumps(narrow[range], wide[range]);
   });
   const std::vector<Column> columns =
       median_columns<ConcurrencyTag>(probes, suspects, search, 4 * k);

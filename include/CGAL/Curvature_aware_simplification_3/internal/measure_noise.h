@@ -25,19 +25,21 @@ namespace internal {
 
 // The noise of a range that both kinds of fits show. What a fit misses of the shape looks like
 // noise and never makes it look less, so the one that shows less counts, if it is reliable. Next to
-// another sheet, quadrics are not: there, those of planes count, though these turn along the noise
-// and show up to a fifth too little of it. Where these are not reliable, they still set a limit:
-// where points are sparse, quadrics take both sides of a thin part that bends for one layer, and
-// the thickness of the part for noise.
+// another sheet, quadrics are not: there, those of planes count, if they tell any, though these
+// turn along the noise and show up to a fifth too little of it. Where these are not reliable, they
+// still set a limit: where points are sparse, quadrics take both sides of a thin part that bends for
+// one layer, and the thickness of the part for noise. Planes that stand on the surface, as those
+// through points on one line of a scan, show none of its noise; but that of quadrics is steady then.
 inline Noise noise_of_both(const Shown_noise& around_quadrics, const Shown_noise& around_planes)
 {
   Noise noise;
-  if (!around_quadrics.is_reliable)
+  noise.level = (std::min)(around_quadrics.level, around_quadrics.limit);
+  if (around_quadrics.is_steady)
+    noise.level = around_quadrics.level;
+  else if (!around_quadrics.is_reliable && around_planes.is_known)
     noise.level = around_planes.level;
   else if (around_planes.is_reliable)
-    noise.level = (std::min)(around_quadrics.level, around_planes.level);
-  else
-    noise.level = around_quadrics.level;
+    noise.level = (std::min)(noise.level, around_planes.level);
   noise.level = (std::min)(noise.level, around_planes.limit);
   noise.independent_level = noise.level;
   noise.radius_of_columns =
@@ -51,11 +53,13 @@ Noise_levels measure_noise(const std::vector<Point>& points, const Neighbor_sear
                            const Adaptive_settings& settings = Adaptive_settings())
 {
   const Noise_probes probes = noise_probes<ConcurrencyTag>(points);
+  Shown_noise unknown;
+  unknown.is_known = unknown.is_reliable = false;
+  std::vector<Shown_noise> around_planes(probes.of_range.size(), unknown);
+  if (settings.noise_around_planes)
+    around_planes = noise_around_planes<ConcurrencyTag>(probes, search, settings);
   const std::vector<Shown_noise> around_quadrics =
-      noise_around_quadrics<ConcurrencyTag>(probes, search, points.size(), settings);
-  const std::vector<Shown_noise> around_planes =
-      settings.noise_around_planes ? noise_around_planes<ConcurrencyTag>(probes, search, settings)
-                                   : around_quadrics;
+      noise_around_quadrics<ConcurrencyTag>(probes, search, points.size(), around_planes, settings);
   std::vector<Noise> noise;
   for (std::size_t range = 0; range < around_quadrics.size(); ++range)
     noise.push_back(noise_of_both(around_quadrics[range], around_planes[range]));

@@ -26,8 +26,8 @@ struct Target
   double distance; // in spacings
 };
 
-// Moves samples to their targets. Of those that would come closer to each other than `too_close`
-// spacings, only the nearest does.
+// Moves samples to their targets, but none that would come closer than `too_close` spacings to the
+// target of a neighbor that has less far to go.
 template <typename ConcurrencyTag>
 void move_to_targets(std::vector<Surface_sample>& samples,
                      const std::vector<std::optional<Target>>& targets,

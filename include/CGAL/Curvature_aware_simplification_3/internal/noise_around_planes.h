@@ -13,6 +13,7 @@
 #include <CGAL/Curvature_aware_simplification_3/internal/Shown_noise.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/find_columns.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/limits_of_noise.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/turns_of_planes.h>
 
 #include <cstddef>
 #include <vector>
@@ -40,15 +41,20 @@ std::vector<Shown_noise> noise_around_planes(const Noise_probes& probes,
   std::vector<double> columns(ranges.size(), 0.);
   if (settings.find_columns)
     columns = find_columns<ConcurrencyTag>(probes, ranges, search, k, narrow, wide);
+  std::vector<double> turns(ranges.size(), 0.);
+  if (settings.tell_standing_fits)
+    turns = median_turns<ConcurrencyTag>(probes, ranges, search, k);
   std::vector<Shown_noise> noise(ranges.size());
   std::vector<std::size_t> to_limit;
   for (std::size_t range : ranges)
   {
     Shown_noise& here = noise[range];
     here.radius_of_columns = columns[range];
-    const bool is_single = columns[range] == 0. && narrow[range].is_broad();
-    here.level = is_single ? noise_of_layers(narrow[range], wide[range]) : 0.;
-    here.is_reliable = is_single && narrow[range].width >= wide_enough * narrow[range].thickness;
+    here.is_known =
+        columns[range] == 0. && narrow[range].is_broad() && turns[range] <= largest_turn_of_planes;
+    here.level = noise_of_layers(narrow[range], wide[range]);
+    here.is_reliable =
+        here.is_known && narrow[range].width >= wide_enough * narrow[range].thickness;
     if (settings.limit_noise_by_planes && columns[range] == 0. && !here.is_reliable)
       to_limit.push_back(range);
   }

@@ -9,111 +9,19 @@
 #include <CGAL/Curvature_aware_simplification_3/internal/Adaptive_settings.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Layer.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Neighbor_search.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/Noise_of_range.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Noise_probes.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Shown_noise.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/find_columns.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/median.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
-#include <limits>
-#include <optional>
 #include <vector>
 
 namespace CGAL {
 namespace Curvature_aware_simplification_3 {
 namespace internal {
-
-// The part of the thickness that is noise where a layer is so thick that it may be two sheets, at
-// heights of a and -a with noise sigma: s^2 = a^2 + sigma^2, and the excess kurtosis is -2 a^4 /
-// s^4. It is about -0.45 for a single sheet, whose noise is cut off by the ball that layers are
-// taken from, and -0.5 where two sheets begin to show as two.
-inline double noise_in_thickness(const Layer& layer)
-{
-  constexpr double surely_two_sheets = -0.65;
-  return layer.kurtosis < surely_two_sheets
-             ? std::sqrt((std::max)(0., 1. - std::sqrt(-layer.kurtosis / 2.)))
-             : 1.;
-}
-
-// Whether the width of layers of k points over their thickness is no more in those of 2 k: then
-// what makes these thicker is shape. In a volume it is so by chance, where the ratio is 2.25
-// (medians differ by up to 0.25).
-inline bool are_thick_by_shape(const Layer& narrow, const Layer& wide)
-{
-  constexpr double more_than_in_a_volume = 2.6;
-  return narrow.width >= more_than_in_a_volume * narrow.thickness &&
-         wide.width * narrow.thickness <= narrow.width * wide.thickness;
-}
-
-// Whether a wide layer holds another sheet, next to the one of the narrow layer: it is more than
-// twice as thick, so that the two tell no noise, and more than a fifth as thick as wide, as no
-// clean single sheet is.
-inline bool holds_another_sheet(const Layer& narrow, const Layer& wide)
-{
-  return wide.thickness >= 2. * narrow.thickness && wide.width < 5. * wide.thickness;
-}
-
-// What layers around quadrics, of more and more points, have told of a range
-struct Noise_of_range
-{
-  static constexpr std::size_t smallest = 17, largest = 544; // points of a layer
-
-  Shown_noise noise;
-  // Noise is no more than is told by layers that are thick by their shape, as those of a twig are:
-  // of these, no number of points is wide enough.
-  double limit = std::numeric_limits<double>::infinity();
-  std::size_t enough = smallest; // points, to hold several columns
-
-  // What layers tell whose inner half is on one line of a scan: there, the quadric can turn along
-  // the noise of the line, meet the few points of the next, and show a part of the noise or none.
-  std::optional<Shown_noise> doubtful;
-
-  void take(const Shown_noise& shown)
-  {
-    noise.level = shown.level;
-    noise.is_reliable = shown.is_reliable;
-  }
-
-  // Whether layers of k / 2, k and 2 k points tell the noise. If not, it is taken to be the
-  // thickness, until larger ones tell more.
-  //
-  // The narrower layer must be wide against the noise: in one as thick as wide, a fit turns along
-  // the noise. And it must be broad. Where the narrowest is not, it may be two sheets. Where its
-  // inner half is not broad, what it tells counts if larger ones, which see more of the shape, do
-  // not tell much more.
-  bool is_told_by(std::size_t k, const Layer& inner, const Layer& narrow, const Layer& wide,
-                  const Adaptive_settings& settings)
-  {
-    // The width over the thickness. With 4, edges are lost in the neighborhoods of CAD parts with
-    // noise (p99 up to 8 % larger); with less, noise that is wider than the spacing of the points
-    // hides more of itself.
-    constexpr double wide_enough = 3.3;
-    // With 0.5, a third of the noise is missed on some lines 8 times as dense along as across.
-    constexpr double nearly_all = 0.75;
-
-    const double level = noise_of_layers(narrow, wide);
-    const double noise_in_wide = settings.tell_two_sheets ? noise_in_thickness(wide) : 1.;
-    const bool are_enough = k >= enough && narrow.is_broad();
-    if (are_enough && narrow.width >= wide_enough * narrow.thickness)
-    {
-      const Shown_noise shown{level * (k > smallest ? noise_in_wide : 1.), 0.,
-                              !holds_another_sheet(narrow, wide)};
-      if (inner.is_broad())
-      {
-        take(doubtful && doubtful->level >= nearly_all * shown.level ? *doubtful : shown);
-        return true;
-      }
-      doubtful = shown;
-    }
-    else if (settings.limit_noise_by_shape && are_enough && inner.is_broad() &&
-             are_thick_by_shape(narrow, wide))
-      limit = (std::min)(limit, level);
-    noise.level = wide.thickness * noise_in_wide;
-    return false;
-  }
-};
 
 // The noise of each range that layers around quadrics show.
 //
@@ -124,7 +32,8 @@ struct Noise_of_range
 template <typename ConcurrencyTag>
 std::vector<Shown_noise>
 noise_around_quadrics(const Noise_probes& probes, const Neighbor_search& search,
-                      std::size_t number_of_points, const Adaptive_settings& settings)
+                      std::size_t number_of_points, const std::vector<Shown_noise>& around_planes,
+                      const Adaptive_settings& settings)
 {
   const auto layers = [&](const std::vector<std::size_t>& ranges, std::size_t k)
   { return median_layers<ConcurrencyTag>(probes, ranges, search, k, Layer_around_quadric()); };
@@ -148,14 +57,22 @@ noise_around_quadrics(const Noise_probes& probes, const Neighbor_search& search,
           of_range[range].enough = 4 * k;
         }
     }
-    unknown.erase(std::remove_if(unknown.begin(), unknown.end(),
-                                 [&](std::size_t range) {
-      return of_range[range].is_told_by(k, inner[range], narrow[range], wide[range], settings);
-                  }),
-                  unknown.end());
+    std::vector<std::size_t> still_unknown;
+    for (std::size_t range : unknown)
+      if (!of_range[range].learn_from(k, inner[range], narrow[range], wide[range],
+                                      around_planes[range], settings))
+        still_unknown.push_back(range);
+    unknown.swap(still_unknown);
     inner.swap(narrow);
     narrow.swap(wide);
   }
+  // where the points end before larger layers can tell
+  const auto waits = [&](std::size_t range) { return of_range[range].unconfirmed.has_value(); };
+  for (std::size_t range : unknown)
+    if (waits(range))
+      of_range[range].take(*of_range[range].unconfirmed);
+  unknown.erase(std::remove_if(unknown.begin(), unknown.end(), waits), unknown.end());
+
   const bool are_too_few = k <= Noise_of_range::largest && 2 * unknown.size() >= of_range.size();
   std::vector<double> levels;
   for (const Noise_of_range& here : of_range)
@@ -165,13 +82,10 @@ noise_around_quadrics(const Noise_probes& probes, const Neighbor_search& search,
     if (of_range[range].doubtful)
       of_range[range].take(*of_range[range].doubtful);
     else
-      of_range[range].limit = (std::min)(of_range[range].limit, most);
+      of_range[range].noise.limit = (std::min)(of_range[range].noise.limit, most);
   std::vector<Shown_noise> noise;
-  for (Noise_of_range& here : of_range)
-  {
-    here.noise.level = (std::min)(here.noise.level, here.limit);
+  for (const Noise_of_range& here : of_range)
     noise.push_back(here.noise);
-  }
   return noise;
 }
 

@@ -12,6 +12,8 @@
 #include <Eigen/Core>
 #include <Eigen/Eigenvalues>
 
+#include <cmath>
+
 namespace CGAL {
 namespace Curvature_aware_simplification_3 {
 namespace internal {
@@ -53,6 +55,12 @@ inline Covariance_sums covariance_sums(const Neighborhood& neighborhood)
 inline Vector plane_normal(const Neighborhood& neighborhood)
 {
   return principal_axis(covariance_sums(neighborhood), 0);
+}
+
+// Of two unit vectors
+inline double sine_of_angle(const Vector& u, const Vector& v)
+{
+  return std::sqrt(CGAL::cross_product(u, v).squared_length());
 }
 
 // The direction of the weighted least-squares line
