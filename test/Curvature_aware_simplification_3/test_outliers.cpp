@@ -401,7 +401,7 @@ TEST(Outliers, that_are_far_need_votes_of_flat_points)
   const Far_outliers rod(points, [&](std::size_t i) { return points[i].x() > 1.; });
   ASSERT_GT(rod.far_ones.size(), 40u);
   EXPECT_EQ(rod.needed_share(3), 1. / 16.);
-  EXPECT_EQ(rod.needed_share(4 + rod.far_ones.size() / 100), 1. / 4.);
+  EXPECT_EQ(rod.needed_share(4 + rod.far_ones.size() / 30), 1. / 4.);
 
   const std::vector<std::uint8_t> after = rod.after_votes<Tag>(1. / 16., rod.far_ones);
   EXPECT_LE(std::count(after.begin(), after.end(), 1), 2);
@@ -474,6 +474,64 @@ TEST(Outliers, are_not_dense_where_thin_parts_with_noise_become_sparse)
 }
 
 // The neighborhoods of the box of outliers are 2.4 times as wide as those of the square below.
+// Far points are so few that they tell nothing of their density.
+TEST(Outliers, are_not_dense_where_few_points_are_far)
+{
+  std::vector<Point> points = surfaces::sphere(20000, 190);
+  const auto are_dense = [&]
+  {
+    const Cloud cloud = make_cloud<Tag>(points, 1e-16);
+    const Neighbor_search search(cloud.points, Tag());
+    return are_far_points_dense<Tag>(shared_features_of(cloud, search).features);
+  };
+  // as sparse as what is far, and round
+  add_outliers_in({3., 0., 0., 3.3, 0.3, 0.3}, 20, 192, points);
+  EXPECT_FALSE(are_dense());
+  for (int x = 4; x < 10; ++x)
+    add_outliers_in({1. * x, 0., 0., x + 0.3, 0.3, 0.3}, 20, 193, points);
+  EXPECT_TRUE(are_dense());
+}
+
+// Flat roofs on the ground, and walls between them whose points are three times as far apart: most
+// neighbors of these are on roofs and on the ground, and not the other way round. A second look,
+// which is for outliers that hide, took 38 % of the walls in all.
+TEST(Outliers, are_found_in_few_points_of_sparse_walls_between_dense_roofs_and_the_ground)
+{
+  constexpr double pitch = 40., side = 20., height = 10.;
+  for (unsigned int seed : {1u, 2u, 3u})
+  {
+    CGAL::Random random(seed);
+    std::vector<Point> points;
+    for (int i = 0; i < 40000; ++i)
+    {
+      const double x = random.get_double(0., 200.), y = random.get_double(0., 200.);
+      const bool is_roof = std::fmod(x, pitch) < side && std::fmod(y, pitch) < side;
+      points.emplace_back(x, y, is_roof ? height : 0.);
+    }
+    for (int i = 0; i < 2200; ++i)
+    {
+      const double along = random.get_double(0., side), z = random.get_double(0., height);
+      const double x = pitch * random.get_int(0, 5), y = pitch * random.get_int(0, 5);
+      switch (random.get_int(0, 4))
+      {
+      case 0:
+        points.emplace_back(x + along, y, z);
+        break;
+      case 1:
+        points.emplace_back(x + along, y + side, z);
+        break;
+      case 2:
+        points.emplace_back(x, y + along, z);
+        break;
+      default:
+        points.emplace_back(x + side, y + along, z);
+      }
+    }
+    const std::vector<std::uint8_t> is_outlier = outliers_of(make_cloud<Tag>(points, 1e-16));
+    EXPECT_LE(std::count(is_outlier.begin(), is_outlier.end(), 1), 0.15 * 2200) << seed;
+  }
+}
+
 TEST(Outliers, in_a_volume_hardly_sparser_than_the_surface_are_found)
 {
   std::vector<Point> points = with_noise(surfaces::square(20000, 46), 0.002, 47);

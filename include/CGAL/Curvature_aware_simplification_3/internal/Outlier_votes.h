@@ -90,34 +90,45 @@ public:
                                    [&](std::size_t i) { m_is_in_layer[in_layers[i]] = 1; });
   }
 
+  // Marks outliers, which take their votes back. This uncovers others with few votes, and so on.
+  template <typename ConcurrencyTag>
+  void mark(const std::vector<std::size_t>& found, const ConcurrencyTag& tag)
+  {
+    set_marks(found, tag);
+    take_back(found, tag);
+  }
+
   // Marks points with few votes, and returns them. Those that lost votes are in a volume if what is
   // around looks like that, too: a thin part among outliers does not.
   template <typename ConcurrencyTag>
   std::vector<std::size_t> mark_few(const ConcurrencyTag& tag)
   {
-    return mark([&](std::size_t i) { return few_votes(i); },
-                [&](std::size_t i)
-                {
+    const std::vector<std::size_t> found =
+        with_less_votes([&](std::size_t i) { return few_votes(i); },
+                        [&](std::size_t i)
+                        {
       return votes(i) < m_quarter || !m_settings.keep_sparse_surfaces ||
              variation_of_twice_the_radius(m_cloud, m_search, m_k, i) >
                  least_variation_at_borders_of_volumes;
-    },
-                tag);
+        },
+                        tag);
+    set_marks(found, tag);
+    return found;
   }
 
-  // Marks those with less than half of k, and returns them. A border has little more than half:
+  // Those with less than half of k, which may be outliers as well. A border has little more than half:
   // asked again and again, border after border would go. Of points that are not sparse, only those
-  // off the surface are marked: among sparse ones, it may be outliers that are in a plane.
+  // off the surface are returned: among sparse ones, it may be outliers that are in a plane.
   template <typename ConcurrencyTag>
-  std::vector<std::size_t> mark_less_than_half(const ConcurrencyTag& tag)
+  std::vector<std::size_t> less_than_half(const ConcurrencyTag& tag) const
   {
-    return mark([&](std::size_t) { return m_k / 2; },
-                [&](std::size_t i)
-                {
+    return with_less_votes([&](std::size_t) { return m_k / 2; },
+                           [&](std::size_t i)
+                           {
       return (m_is_in_layer[i] == 0 && m_shared.features.inverse_density[i] > m_rather_sparse) ||
              is_off_plane_of_neighbors(m_cloud, m_search, m_k, m_is_outlier, i);
     },
-                tag);
+                           tag);
   }
 
   // Points that were marked take their votes back, which uncovers others with few votes, until
@@ -134,7 +145,10 @@ public:
         if (number > 0)
           m_search.for_each_nearest(m_cloud.points[marked[f]], m_k + 1,
                                     [&](std::size_t j, const Point&, double)
-                                    { m_votes[j].fetch_sub(number, std::memory_order_relaxed); });
+                                    {
+            if (j != marked[f]) // no point has a vote of its own
+              m_votes[j].fetch_sub(number, std::memory_order_relaxed);
+          });
       });
       marked = mark_few(tag);
     }
@@ -156,18 +170,24 @@ private:
                : m_quarter;
   }
 
-  // Marks those that have less votes than needed_votes(i) and pass the test, and returns them. A
-  // vote that counts for several points makes the number uncertain: those with few are asked how
-  // many of their neighbors would vote for them, were these asked one by one.
+  template <typename ConcurrencyTag>
+  void set_marks(const std::vector<std::size_t>& found, const ConcurrencyTag&)
+  {
+    for_each_index<ConcurrencyTag>(0, found.size(),
+                                   [&](std::size_t f) { m_is_outlier[found[f]] = 1; });
+  }
+
+  // Those not marked that have less votes than needed_votes(i) and pass the test. A vote that counts
+  // for several points makes the number uncertain: those with few are asked how many of their
+  // neighbors would vote for them, were these asked one by one.
   template <typename NeededVotes, typename Test, typename ConcurrencyTag>
-  std::vector<std::size_t> mark(const NeededVotes& needed_votes, const Test& test,
-                                const ConcurrencyTag&)
+  std::vector<std::size_t> with_less_votes(const NeededVotes& needed_votes, const Test& test,
+                                           const ConcurrencyTag&) const
   {
     const std::vector<std::size_t> candidates = indices_where<ConcurrencyTag>(m_votes.size(),
                                                                               [&](std::size_t i) {
       return m_is_outlier[i] == 0 && votes(i) < needed_votes(i);
     });
-    // all are counted before any is marked
     std::vector<std::uint8_t> is_confirmed(candidates.size());
     for_each_index<ConcurrencyTag>(0, candidates.size(),
                                    [&](std::size_t c)
@@ -180,13 +200,10 @@ private:
           [&](std::size_t) { ++mutual_neighbors; });
       is_confirmed[c] = mutual_neighbors < needed_votes(i) && test(i) ? 1 : 0;
     });
-    const std::vector<std::size_t> found = elements_at<ConcurrencyTag>(
+    return elements_at<ConcurrencyTag>(
         indices_where<ConcurrencyTag>(candidates.size(),
                                       [&](std::size_t c) { return is_confirmed[c] != 0; }),
         candidates);
-    for_each_index<ConcurrencyTag>(0, found.size(),
-                                   [&](std::size_t f) { m_is_outlier[found[f]] = 1; });
-    return found;
   }
 
   const Cloud& m_cloud;

@@ -40,7 +40,7 @@ bool are_far_points_dense(const Features& features)
     });
   };
   const std::vector<std::size_t> far_ones = points_with(least_variation_of_volumes, sparse);
-  if (far_ones.empty())
+  if (!is_more_than_a_few(far_ones.size(), features.inverse_density.size()))
     return false;
   const double median = median_of_some<ConcurrencyTag>(
       far_ones.size(), 1000, [&](std::size_t f) { return features.inverse_density[far_ones[f]]; });

@@ -68,14 +68,15 @@ double median_variation(const Cloud& cloud, const Neighbor_search& search, std::
 // Whether something tells of outliers but the far points themselves. Where outliers fill the box
 // around a surface, for each fifteen far ones at most, one near it has few votes. On 144 scans
 // without outliers whose density falls 100 : 1 to 10,000 : 1, three of four had one for each
-// hundred at most. And in larger neighborhoods, parts of a surface are flatter than space is, and
-// than 400 and more outliers that all are far.
+// hundred at most, and of an overview merged with a close-up one for each fifty. And in larger
+// neighborhoods, parts of a surface are flatter than space is, and than 400 and more outliers that
+// all are far.
 template <typename ConcurrencyTag>
 bool are_outliers_likely(const Cloud& cloud, const Neighbor_search& search, std::size_t k,
                          std::size_t number_with_few_votes,
                          const std::vector<std::size_t>& far_ones)
 {
-  return number_with_few_votes > 3 + far_ones.size() / 100 || // up to three are by chance
+  return number_with_few_votes > 3 + far_ones.size() / 30 || // up to three are by chance
          median_variation<ConcurrencyTag>(cloud, search, k, far_ones) > largest_variation_of_parts;
 }
 
