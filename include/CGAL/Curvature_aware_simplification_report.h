@@ -20,8 +20,8 @@ when the function succeeds, and left as it is if it throws or the callback cance
 unit of the input, times in seconds of wall time.
 
 What is not measured is 0. If all distinct points are returned, or there are fewer than 57, only the
-numbers of points, the surface variation and the times of sorting and of features are measured. With the
-settings of the paper, neither steps of the depth nor outliers nor noise are looked for.
+numbers of points and the time of sorting are measured. With the settings of the paper, neither steps of the
+depth nor outliers nor noise are looked for.
 */
 struct Curvature_aware_simplification_report
 {

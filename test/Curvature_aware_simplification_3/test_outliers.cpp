@@ -32,6 +32,13 @@ std::vector<std::uint8_t> outliers_of(const Cloud& cloud)
                             Adaptive_settings());
 }
 
+bool are_far_points_dense_in(const Cloud& cloud)
+{
+  const Neighbor_search search(cloud.points, Tag());
+  const Features features = shared_features_of(cloud, search).features;
+  return are_far_points_dense<Tag>(features, sparseness_of(features.inverse_density));
+}
+
 // n points, uniform in a box, put behind the others
 void add_outliers_in(const CGAL::Bbox_3& box, std::size_t n, unsigned int seed,
                      std::vector<Point>& points)
@@ -200,12 +207,12 @@ struct Far_outliers
   }
 
   template <typename ConcurrencyTag>
-  std::vector<std::uint8_t> after_votes(double needed_share,
-                                        const std::vector<std::size_t>& asked) const
+  std::vector<std::uint8_t> with_support(double needed_share,
+                                         const std::vector<std::size_t>& asked) const
   {
     std::vector<std::uint8_t> result = is_outlier;
     unmark_sparse_surfaces<ConcurrencyTag>(cloud, search, shared.features, 16,
-                                           far_inverse_density(shared.features.inverse_density),
+                                           sparseness_of(shared.features.inverse_density).far,
                                            needed_share, asked, result);
     return result;
   }
@@ -221,7 +228,7 @@ struct Far_outliers
 
   double needed_share(std::size_t number_with_few_votes) const
   {
-    return needed_share_of_votes(
+    return needed_share_of_support(
         are_outliers_likely<Tag>(cloud, search, 16, number_with_few_votes, far_ones));
   }
 
@@ -339,7 +346,7 @@ TEST(Outliers, in_space_do_not_lead_to_a_surface)
   EXPECT_GT(outliers.far_ones.size(), 28000u);
   for (double share : {1. / 4., 1. / 16.})
   {
-    const std::vector<std::uint8_t> after = outliers.after_votes<Tag>(share, outliers.far_ones);
+    const std::vector<std::uint8_t> after = outliers.with_support<Tag>(share, outliers.far_ones);
     EXPECT_GE(std::count(after.begin(), after.end(), 1) * 1000,
               static_cast<std::ptrdiff_t>(outliers.far_ones.size()) * 995);
   }
@@ -395,7 +402,7 @@ TEST(Outliers,
   EXPECT_LT(left + 100, static_cast<std::ptrdiff_t>(outliers.far_ones.size()));
 }
 
-TEST(Outliers, that_are_far_need_votes_of_flat_points)
+TEST(Outliers, that_are_far_need_the_support_of_flat_points)
 {
   const std::vector<Point> points = plate_with_sparse_rod(0.02, 144);
   const Far_outliers rod(points, [&](std::size_t i) { return points[i].x() > 1.; });
@@ -403,15 +410,15 @@ TEST(Outliers, that_are_far_need_votes_of_flat_points)
   EXPECT_EQ(rod.needed_share(3), 1. / 16.);
   EXPECT_EQ(rod.needed_share(4 + rod.far_ones.size() / 30), 1. / 4.);
 
-  const std::vector<std::uint8_t> after = rod.after_votes<Tag>(1. / 16., rod.far_ones);
+  const std::vector<std::uint8_t> after = rod.with_support<Tag>(1. / 16., rod.far_ones);
   EXPECT_LE(std::count(after.begin(), after.end(), 1), 2);
-  EXPECT_EQ(after, rod.after_votes<CGAL::Sequential_tag>(1. / 16., rod.far_ones));
+  EXPECT_EQ(after, rod.with_support<CGAL::Sequential_tag>(1. / 16., rod.far_ones));
 
   // others are outliers for another reason
   std::vector<std::size_t> asked;
   for (std::size_t i = 0; i < rod.far_ones.size(); i += 2)
     asked.push_back(rod.far_ones[i]);
-  const std::vector<std::uint8_t> after_half = rod.after_votes<Tag>(1. / 16., asked);
+  const std::vector<std::uint8_t> after_half = rod.with_support<Tag>(1. / 16., asked);
   for (std::size_t i = 1; i < rod.far_ones.size(); i += 2)
     EXPECT_EQ(after_half[rod.far_ones[i]], 1);
   EXPECT_LT(std::count(after_half.begin(), after_half.end(), 1),
@@ -448,8 +455,7 @@ TEST(Outliers, are_dense_where_far_points_are_hardly_farther_than_what_is_far)
     std::vector<Point> points = surfaces::sphere(20000, 190);
     add_outliers(points, number, 1.2, 191);
     const Cloud cloud = make_cloud<Tag>(points, 1e-16);
-    const Neighbor_search search(cloud.points, Tag());
-    return are_far_points_dense<Tag>(shared_features_of(cloud, search).features);
+    return are_far_points_dense_in(cloud);
   };
   EXPECT_FALSE(are_dense(0));
   EXPECT_FALSE(are_dense(1000));
@@ -465,8 +471,7 @@ TEST(Outliers, are_not_dense_where_thin_parts_with_noise_become_sparse)
   {
     const Cloud cloud =
         make_cloud<Tag>(with_noise(sparse_posts(30000, 0.1, 30., seed), 0.01, seed + 5), 1e-16);
-    const Neighbor_search search(cloud.points, Tag());
-    EXPECT_FALSE(are_far_points_dense<Tag>(shared_features_of(cloud, search).features)) << seed;
+    EXPECT_FALSE(are_far_points_dense_in(cloud)) << seed;
     const std::vector<std::uint8_t> is_outlier = outliers_of(cloud);
     // 522 to 586 if they were
     EXPECT_LT(std::count(is_outlier.begin(), is_outlier.end(), 1), 470) << seed;
@@ -481,8 +486,7 @@ TEST(Outliers, are_not_dense_where_few_points_are_far)
   const auto are_dense = [&]
   {
     const Cloud cloud = make_cloud<Tag>(points, 1e-16);
-    const Neighbor_search search(cloud.points, Tag());
-    return are_far_points_dense<Tag>(shared_features_of(cloud, search).features);
+    return are_far_points_dense_in(cloud);
   };
   // as sparse as what is far, and round
   add_outliers_in({3., 0., 0., 3.3, 0.3, 0.3}, 20, 192, points);

@@ -841,6 +841,21 @@ TEST(Adaptive, result_does_not_depend_on_how_far_a_few_points_are)
   }
 }
 
+// Fits to more than a third of the points were made all the same if these were 57 with the outliers.
+TEST(Adaptive, does_not_move_samples_of_few_points_among_outliers)
+{
+  settings_of_the_paper = false;
+  std::vector<Point> points = surfaces::sphere(50, 61);
+  for (int i = 0; i < 8; ++i)
+    points.emplace_back(20. * std::cos(i), 20. * std::sin(i), i - 4.);
+  CGAL::Curvature_aware_simplification_report report;
+  const std::vector<Point> output =
+      simplified(points, np::number_of_output_points(12).simplification_report(std::ref(report)));
+  EXPECT_EQ(report.number_of_outliers, 8u);
+  for (const Point& p : output)
+    EXPECT_NEAR(std::sqrt((p - CGAL::ORIGIN).squared_length()), 1., 1e-12);
+}
+
 // Random points of a curve leave gaps, from which samples go back to the same point: of 4500, 520
 // were at the place of another.
 TEST(Adaptive, samples_of_a_curve_are_at_different_places)

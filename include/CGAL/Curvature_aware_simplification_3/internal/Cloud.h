@@ -6,8 +6,8 @@
 #ifndef CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_CLOUD_H
 #define CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_CLOUD_H
 
+#include <CGAL/Curvature_aware_simplification_3/internal/Computation_kernel.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Frame.h>
-#include <CGAL/Curvature_aware_simplification_3/internal/Neighbor_search.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Uninitialized_vector.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/box_of_most_points.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/equal_points.h>

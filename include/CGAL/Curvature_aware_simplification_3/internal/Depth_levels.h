@@ -6,7 +6,7 @@
 #ifndef CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_DEPTH_LEVELS_H
 #define CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_DEPTH_LEVELS_H
 
-#include <CGAL/Curvature_aware_simplification_3/internal/Neighbor_search.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/Computation_kernel.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/loops.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/median.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/sort.h>

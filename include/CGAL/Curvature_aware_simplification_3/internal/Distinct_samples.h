@@ -7,10 +7,13 @@
 #define CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_DISTINCT_SAMPLES_H
 
 #include <CGAL/Curvature_aware_simplification_3/internal/Cloud.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/Counter_based_random.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/prefix_sums.h>
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -45,6 +48,27 @@ Distinct_samples distinct_samples(const Cloud& cloud, const std::vector<std::siz
       samples.copies.push_back(1);
     }
   }
+  return samples;
+}
+
+// All distinct points, and so many of their duplicates, chosen at random, that they are `number`
+template <typename ConcurrencyTag>
+Distinct_samples all_and_duplicates(const Cloud& cloud, std::size_t number, std::uint64_t seed)
+{
+  Distinct_samples samples{cloud.points, std::vector<std::size_t>(cloud.size(), 1)};
+  if (number == cloud.size())
+    return samples;
+  const Counter_based_random random(seed, 1);
+  const auto key = [&](const Duplicate& d)
+  { return std::make_pair(random.bits(d.index), d.index); };
+  std::vector<Duplicate> chosen = cloud.duplicates;
+  const auto end = chosen.begin() + static_cast<std::ptrdiff_t>(number - cloud.size());
+  if (end != chosen.end())
+    std::nth_element(chosen.begin(), end, chosen.end(),
+                     [&](const Duplicate& d, const Duplicate& e) { return key(d) < key(e); });
+  const std::vector<std::size_t> distinct = distinct_indices<ConcurrencyTag>(cloud);
+  std::for_each(chosen.begin(), end,
+                [&](const Duplicate& d) { ++samples.copies[distinct[d.index]]; });
   return samples;
 }
 

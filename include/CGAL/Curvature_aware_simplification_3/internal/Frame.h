@@ -6,7 +6,7 @@
 #ifndef CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_FRAME_H
 #define CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_FRAME_H
 
-#include <CGAL/Curvature_aware_simplification_3/internal/Neighbor_search.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/Computation_kernel.h>
 
 #include <CGAL/Bbox_3.h>
 

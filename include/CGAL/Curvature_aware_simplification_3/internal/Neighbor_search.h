@@ -6,12 +6,13 @@
 #ifndef CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_NEIGHBOR_SEARCH_H
 #define CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_NEIGHBOR_SEARCH_H
 
+#include <CGAL/Curvature_aware_simplification_3/internal/Computation_kernel.h>
+
 #include <CGAL/Euclidean_distance.h>
 #include <CGAL/Kd_tree.h>
 #include <CGAL/Orthogonal_k_neighbor_search.h>
 #include <CGAL/Search_traits_3.h>
 #include <CGAL/Search_traits_adapter.h>
-#include <CGAL/Simple_cartesian.h>
 #include <CGAL/Splitters.h>
 #include <CGAL/assertions.h>
 #include <CGAL/property_map.h>
@@ -28,11 +29,6 @@
 namespace CGAL {
 namespace Curvature_aware_simplification_3 {
 namespace internal {
-
-// All stages compute in double coordinates, whatever the kernel of the caller's points.
-using Computation_kernel = Simple_cartesian<double>;
-using Point = Computation_kernel::Point_3;
-using Vector = Computation_kernel::Vector_3;
 
 // The nearest points, and the points in a ball, of a vector of points, which the search copies with
 // their indices: in the order of the tree, they are at hand for what is done with neighbors, and

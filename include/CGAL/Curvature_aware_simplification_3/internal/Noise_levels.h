@@ -18,7 +18,8 @@ namespace CGAL {
 namespace Curvature_aware_simplification_3 {
 namespace internal {
 
-// The noise of the points of one place
+// The noise of the points of one place, as the next stages take them: what is measured, at least what
+// rounding has left of the depth and what columns need, and after the smoothing what is left
 struct Noise
 {
   double level = 0.; // standard deviation sigma of their distance to the surface
@@ -27,7 +28,7 @@ struct Noise
   double independent_level = 0.;
   // Of balls that hold several columns of points, where points are one above the other; otherwise 0
   double radius_of_columns = 0.;
-  // At the distance of the samples: only then is it worth time to reduce it.
+  // Before the smoothing, at the distance of the samples: only then is it worth time to reduce it.
   bool is_visible = false;
   double visible_error = 0.; // of a fit, above which it is visible there
 };

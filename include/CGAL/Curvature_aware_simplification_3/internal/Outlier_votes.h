@@ -61,15 +61,16 @@ public:
   // when votes are asked for one by one, but their votes remain until they are taken back.
   template <typename ConcurrencyTag>
   Outlier_votes(const Cloud& cloud, const Neighbor_search& search, const Shared_features& shared,
-                std::size_t k, bool are_outliers_dense, const Adaptive_settings& settings,
-                std::vector<std::uint8_t>& is_outlier, const ConcurrencyTag&)
+                std::size_t k, const Sparseness& sparseness, bool are_outliers_dense,
+                const Adaptive_settings& settings, std::vector<std::uint8_t>& is_outlier,
+                const ConcurrencyTag&)
     : m_cloud(cloud),
       m_search(search),
       m_shared(shared),
       m_k(k),
       m_quarter((std::max)(k / 4, std::size_t(1))),
       m_are_outliers_dense(are_outliers_dense),
-      m_rather_sparse(rather_far_inverse_density(shared.features.inverse_density)),
+      m_sparseness(sparseness),
       m_settings(settings),
       m_votes(cloud.size()),
       m_is_in_layer(cloud.size(), 0),
@@ -125,7 +126,8 @@ public:
     return with_less_votes([&](std::size_t) { return m_k / 2; },
                            [&](std::size_t i)
                            {
-      return (m_is_in_layer[i] == 0 && m_shared.features.inverse_density[i] > m_rather_sparse) ||
+      return (m_is_in_layer[i] == 0 &&
+              m_shared.features.inverse_density[i] > m_sparseness.rather_far) ||
              is_off_plane_of_neighbors(m_cloud, m_search, m_k, m_is_outlier, i);
     },
                            tag);
@@ -165,7 +167,7 @@ private:
   {
     return m_are_outliers_dense && m_is_in_layer[i] == 0 &&
                    is_thick_and_sparse(m_shared.features, i, least_variation_of_volumes,
-                                       m_rather_sparse)
+                                       m_sparseness.rather_far)
                ? (std::max)(m_quarter, 2 * std::size_t(m_shared.votes[i]) / 3)
                : m_quarter;
   }
@@ -212,7 +214,7 @@ private:
   std::size_t m_k;
   std::size_t m_quarter; // of k, but 1 at least
   bool m_are_outliers_dense;
-  double m_rather_sparse;
+  Sparseness m_sparseness;
   const Adaptive_settings& m_settings;
   std::vector<std::atomic<std::uint32_t>> m_votes; // sums of integers: the order does not matter
   std::vector<std::uint8_t> m_is_in_layer;

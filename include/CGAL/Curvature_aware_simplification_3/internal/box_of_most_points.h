@@ -6,8 +6,8 @@
 #ifndef CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_BOX_OF_MOST_POINTS_H
 #define CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_BOX_OF_MOST_POINTS_H
 
+#include <CGAL/Curvature_aware_simplification_3/internal/Computation_kernel.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Counter_based_random.h>
-#include <CGAL/Curvature_aware_simplification_3/internal/Neighbor_search.h>
 
 #include <CGAL/Bbox_3.h>
 

@@ -16,10 +16,10 @@
 #include <CGAL/Curvature_aware_simplification_3/internal/bent_points.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/features.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/find_outliers.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/lattice_spacing.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/measure_noise.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/parameters.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/remove_outliers.h>
-#include <CGAL/Curvature_aware_simplification_3/internal/sampling_density.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/shared_features.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/smooth_points.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/undo_rounding.h>

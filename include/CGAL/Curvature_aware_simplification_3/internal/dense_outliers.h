@@ -26,12 +26,10 @@ namespace internal {
 // 20 and 30 %. So it is at the sparse end of a surface. But of the points that are rather far and
 // thick, 0.18 to 0.33 are round in such volumes, and 0.17 at most on thin parts with noise.
 template <typename ConcurrencyTag>
-bool are_far_points_dense(const Features& features)
+bool are_far_points_dense(const Features& features, const Sparseness& sparseness)
 {
   constexpr double hardly_farther = 1.5;
   constexpr double round_enough = 1. / 6.;
-  const double sparse = far_inverse_density(features.inverse_density);
-  const double rather_sparse = rather_far_inverse_density(features.inverse_density);
   const auto points_with = [&](double variation, double inverse_density)
   {
     return indices_where<ConcurrencyTag>(features.inverse_density.size(),
@@ -39,15 +37,17 @@ bool are_far_points_dense(const Features& features)
       return is_thick_and_sparse(features, i, variation, inverse_density);
     });
   };
-  const std::vector<std::size_t> far_ones = points_with(least_variation_of_volumes, sparse);
+  const std::vector<std::size_t> far_ones = points_with(least_variation_of_volumes, sparseness.far);
   if (!is_more_than_a_few(far_ones.size(), features.inverse_density.size()))
     return false;
   const double median = median_of_some<ConcurrencyTag>(
       far_ones.size(), 1000, [&](std::size_t f) { return features.inverse_density[far_ones[f]]; });
-  if (median >= hardly_farther * hardly_farther * sparse)
+  if (median >= hardly_farther * hardly_farther * sparseness.far)
     return false;
-  const std::size_t rather_far = points_with(least_variation_of_volumes, rather_sparse).size();
-  const std::size_t round = points_with(least_variation_of_round_volumes, rather_sparse).size();
+  const std::size_t rather_far =
+      points_with(least_variation_of_volumes, sparseness.rather_far).size();
+  const std::size_t round =
+      points_with(least_variation_of_round_volumes, sparseness.rather_far).size();
   return static_cast<double>(round) >= round_enough * static_cast<double>(rather_far);
 }
 

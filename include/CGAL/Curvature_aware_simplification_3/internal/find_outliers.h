@@ -35,18 +35,17 @@ namespace internal {
 template <typename ConcurrencyTag>
 std::vector<std::size_t>
 mark_far_points(const Cloud& cloud, const Neighbor_search& search, const Features& features,
-                std::size_t k, std::size_t number_with_few_votes, bool are_dense,
-                const Adaptive_settings& settings, std::vector<std::uint8_t>& is_outlier)
+                std::size_t k, const Sparseness& sparseness, std::size_t number_with_few_votes,
+                bool are_dense, const Adaptive_settings& settings,
+                std::vector<std::uint8_t>& is_outlier)
 {
-  const double sparse = far_inverse_density(features.inverse_density);
-  const double rather_sparse = rather_far_inverse_density(features.inverse_density);
   const std::vector<std::size_t> far_ones = indices_where<ConcurrencyTag>(cloud.size(),
                                                                           [&](std::size_t i)
                                                                           {
     return is_outlier[i] == 0 &&
-           (is_thick_and_sparse(features, i, least_variation_of_volumes, sparse) ||
-            (are_dense &&
-             is_thick_and_sparse(features, i, least_variation_of_round_volumes, rather_sparse)));
+           (is_thick_and_sparse(features, i, least_variation_of_volumes, sparseness.far) ||
+            (are_dense && is_thick_and_sparse(features, i, least_variation_of_round_volumes,
+                                              sparseness.rather_far)));
   });
   for_each_index<ConcurrencyTag>(0, far_ones.size(),
                                  [&](std::size_t f) { is_outlier[far_ones[f]] = 1; });
@@ -56,10 +55,10 @@ mark_far_points(const Cloud& cloud, const Neighbor_search& search, const Feature
       are_outliers_likely<ConcurrencyTag>(cloud, search, k, number_with_few_votes, far_ones);
   std::vector<std::size_t> in_layers;
   if (settings.keep_noisy_layers)
-    in_layers = unmark_noisy_layers<ConcurrencyTag>(cloud, search, features, k, rather_sparse,
-                                                    far_ones, is_outlier);
-  unmark_sparse_surfaces<ConcurrencyTag>(cloud, search, features, k, rather_sparse,
-                                         needed_share_of_votes(are_likely), far_ones, is_outlier);
+    in_layers = unmark_noisy_layers<ConcurrencyTag>(cloud, search, features, k,
+                                                    sparseness.rather_far, far_ones, is_outlier);
+  unmark_sparse_surfaces<ConcurrencyTag>(cloud, search, features, k, sparseness.rather_far,
+                                         needed_share_of_support(are_likely), far_ones, is_outlier);
   unmark_connected<ConcurrencyTag>(cloud, search, features, k, are_likely, far_ones, is_outlier);
   return in_layers;
 }
@@ -100,19 +99,19 @@ std::vector<std::uint8_t> find_outliers(const Cloud& cloud, const Neighbor_searc
     return indices_where<ConcurrencyTag>(cloud.size(),
                                          [&](std::size_t i) { return is_outlier[i] != 0; });
   };
-  const bool are_dense = are_far_points_dense<ConcurrencyTag>(shared.features);
-  Outlier_votes votes(cloud, search, shared, k, are_dense, settings, is_outlier, tag);
+  const Sparseness sparseness = sparseness_of(shared.features.inverse_density);
+  const bool are_dense = are_far_points_dense<ConcurrencyTag>(shared.features, sparseness);
+  Outlier_votes votes(cloud, search, shared, k, sparseness, are_dense, settings, is_outlier, tag);
   const std::size_t number_with_few_votes = votes.mark_few(tag).size();
-  votes.trust(mark_far_points<ConcurrencyTag>(cloud, search, shared.features, k,
+  votes.trust(mark_far_points<ConcurrencyTag>(cloud, search, shared.features, k, sparseness,
                                               number_with_few_votes, are_dense, settings,
                                               is_outlier),
               tag);
   votes.take_back(marked(), tag);
   if (settings.find_clusters)
   {
-    const double sparse = far_inverse_density(shared.features.inverse_density);
     const std::vector<std::size_t> found =
-        Isolated_clusters(cloud, search, shared.features, k, sparse, is_outlier, tag)
+        Isolated_clusters(cloud, search, shared.features, k, sparseness.far, is_outlier, tag)
             .points<ConcurrencyTag>();
     votes.mark(found, tag);
   }

@@ -80,7 +80,8 @@ inline bool is_noisy(const Surface_fit& fit, const Neighborhood& neighborhood)
   return neighborhood.radius <= 2. * smallest_radius_in_noise * fit.noise.level;
 }
 
-// Weights by distance. A point that starts a sample has no say itself: it may be an outlier.
+// Weights by distance. In the first ball, a point that starts a sample, where the ball is centered,
+// has no say itself: it may be an outlier.
 inline void weight_for_quadric(bool starts_sample, Neighborhood& neighborhood)
 {
   neighborhood.weight_by_distance();

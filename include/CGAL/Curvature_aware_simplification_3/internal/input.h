@@ -7,7 +7,7 @@
 #define CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_INPUT_H
 
 #include <CGAL/Curvature_aware_simplification_3/internal/Cloud.h>
-#include <CGAL/Curvature_aware_simplification_3/internal/Neighbor_search.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/Computation_kernel.h>
 
 #include <CGAL/Default_diagonalize_traits.h>
 #include <CGAL/Named_function_parameters.h>

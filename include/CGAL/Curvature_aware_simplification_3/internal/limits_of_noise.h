@@ -42,25 +42,24 @@ struct Plane_of_few_points
   }
 };
 
-// How much noise there is at most in these ranges, as far as the nearest points show; infinity
-// elsewhere, and where they do not. Fewer of them see less of the other side of a thin part, but
-// tell less of the noise.
+// How much noise there is at most in these ranges, as far as planes through 5 points, or through 7,
+// which are known already, show it; infinity elsewhere, and where they do not. Fewer points see less
+// of the other side of a thin part, but tell less of the noise.
 template <typename ConcurrencyTag>
-std::vector<double> limits_of_noise(const Noise_probes& probes,
-                                    const std::vector<std::size_t>& ranges,
-                                    const Neighbor_search& search)
+std::vector<double>
+limits_of_noise(const Noise_probes& probes, const std::vector<std::size_t>& ranges,
+                const Neighbor_search& search, const std::vector<Layer>& layers_of_7,
+                const std::vector<double>& turns_of_7)
 {
+  constexpr Plane_of_few_points plane_of_5{5, 3.55, 0.84}, plane_of_7{7, 3.3, 0.88};
+  const std::vector<Layer> layers = median_layers<ConcurrencyTag>(
+      probes, ranges, search, plane_of_5.number, Layer_around_plane());
+  const std::vector<double> turns =
+      median_turns<ConcurrencyTag>(probes, ranges, search, plane_of_5.number);
   std::vector<double> limits(probes.of_range.size(), std::numeric_limits<double>::infinity());
-  for (const Plane_of_few_points plane :
-       {Plane_of_few_points{5, 3.55, 0.84}, Plane_of_few_points{7, 3.3, 0.88}})
-  {
-    const std::vector<Layer> layers =
-        median_layers<ConcurrencyTag>(probes, ranges, search, plane.number, Layer_around_plane());
-    const std::vector<double> turns =
-        median_turns<ConcurrencyTag>(probes, ranges, search, plane.number);
-    for (std::size_t range : ranges)
-      limits[range] = (std::min)(limits[range], plane.limit(layers[range], turns[range]));
-  }
+  for (std::size_t range : ranges)
+    limits[range] = (std::min)(plane_of_5.limit(layers[range], turns[range]),
+                               plane_of_7.limit(layers_of_7[range], turns_of_7[range]));
   return limits;
 }
 

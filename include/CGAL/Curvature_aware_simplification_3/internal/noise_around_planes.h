@@ -41,24 +41,23 @@ std::vector<Shown_noise> noise_around_planes(const Noise_probes& probes,
   std::vector<double> columns(ranges.size(), 0.);
   if (settings.find_columns)
     columns = find_columns<ConcurrencyTag>(probes, ranges, search, k, narrow, wide);
-  std::vector<double> turns(ranges.size(), 0.);
-  if (settings.tell_standing_fits)
-    turns = median_turns<ConcurrencyTag>(probes, ranges, search, k);
+  const std::vector<double> turns = median_turns<ConcurrencyTag>(probes, ranges, search, k);
   std::vector<Shown_noise> noise(ranges.size());
   std::vector<std::size_t> to_limit;
   for (std::size_t range : ranges)
   {
     Shown_noise& here = noise[range];
     here.radius_of_columns = columns[range];
-    here.is_known =
-        columns[range] == 0. && narrow[range].is_broad() && turns[range] <= largest_turn_of_planes;
+    const bool stands = settings.tell_standing_fits && turns[range] > largest_turn_of_planes;
+    here.is_known = columns[range] == 0. && narrow[range].is_broad() && !stands;
     here.level = noise_of_layers(narrow[range], wide[range]);
     here.is_reliable =
         here.is_known && narrow[range].width >= wide_enough * narrow[range].thickness;
     if (settings.limit_noise_by_planes && columns[range] == 0. && !here.is_reliable)
       to_limit.push_back(range);
   }
-  const std::vector<double> limits = limits_of_noise<ConcurrencyTag>(probes, to_limit, search);
+  const std::vector<double> limits =
+      limits_of_noise<ConcurrencyTag>(probes, to_limit, search, narrow, turns);
   for (std::size_t range : to_limit)
     noise[range].limit = limits[range];
   return noise;

@@ -6,7 +6,7 @@
 #ifndef CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_PROJECT_SAMPLES_H
 #define CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_PROJECT_SAMPLES_H
 
-#include <CGAL/Curvature_aware_simplification_3/internal/Neighbor_search.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/Computation_kernel.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Progress.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Sample_neighbors.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Surface_fit.h>

@@ -10,11 +10,10 @@
 #include <CGAL/Curvature_aware_simplification_3/internal/Curve_ranges.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Noise_levels.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Progress.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/lattice_spacing.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/loops.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/scale_to_number.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/surface_curvature.h>
-
-#include <CGAL/number_type_config.h>
 
 #include <cmath>
 #include <cstddef>
@@ -36,21 +35,6 @@ struct Sampling_density
   // borders.
   std::vector<double> weight;
 };
-
-// The spacing of a hexagonal lattice with a density of points: s^2 = 2 / (sqrt(3) density)
-inline double lattice_spacing(double density)
-{
-  return std::sqrt(2. / (std::sqrt(3.) * density));
-}
-
-// The sum of the areas that the points stand for
-template <typename ConcurrencyTag>
-double area_of_surface(const std::vector<double>& inverse_density)
-{
-  return reduce_indices<ConcurrencyTag>(
-      inverse_density.size(), 0., [&](std::size_t i) { return CGAL_PI * inverse_density[i]; },
-      std::plus<double>());
-}
 
 // The density for which a piecewise linear surface through the samples has the least error.
 //

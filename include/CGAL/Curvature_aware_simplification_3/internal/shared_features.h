@@ -29,10 +29,11 @@ namespace internal {
 struct Shared_features
 {
   Features features;
-  // How many points have the features of this one, itself among them; 0 if it has those of another
+  // For how many points this one votes, itself among them: those that share its features, but for
+  // far ones, which got their own later. 0 if another one votes for it.
   std::vector<std::uint8_t> represented;
-  // Of other points that have this one among the k nearest; a vote counts for all whom the voter
-  // represents, so k on average
+  // Of points that have this one among the k nearest, but not its own. A vote counts for all whom
+  // the voter represents, which may be this one among others, so k on average.
   std::vector<std::uint32_t> votes;
 };
 
@@ -109,7 +110,7 @@ Shared_features compute_shared_features(const Cloud& cloud, const Neighbor_searc
 
   // Far from all others, an outlier and its neighbors may happen to be flat: there, each speaks for
   // itself.
-  const double sparse = far_inverse_density(shared.features.inverse_density);
+  const double sparse = sparseness_of(shared.features.inverse_density).far;
   for_each_index<ConcurrencyTag>(0, n,
                                  [&](std::size_t i)
                                  {

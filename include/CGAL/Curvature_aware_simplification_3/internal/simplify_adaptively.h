@@ -17,15 +17,12 @@
 #include <CGAL/Curvature_aware_simplification_3/internal/Surface_fit.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Surface_sample.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/clean_scan.h>
-#include <CGAL/Curvature_aware_simplification_3/internal/features.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/parameters.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/prefix_sums.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/project_samples.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/relax_on_surface.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/select_along_curve.h>
-#include <CGAL/Curvature_aware_simplification_3/internal/select_points.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/select_samples.h>
-#include <CGAL/Curvature_aware_simplification_3/internal/shared_features.h>
 
 #include <CGAL/Curvature_aware_simplification_report.h>
 
@@ -42,27 +39,15 @@ namespace internal {
 // points on a sphere would be up to 0.7 to 0.4 of its radius off it, of 57 points 0.14.
 inline constexpr std::size_t fewest_points_to_fit = 3 * smallest_neighborhood;
 
-// Points of the input as they are: all of them and duplicates, or, where there are too few to fit a
-// surface, some
-template <typename ConcurrencyTag, typename DiagonalizeTraits>
-Distinct_samples select_without_moving(const Cloud& cloud, const Neighbor_search& search,
-                                       const Parameters& parameters, const Progress& progress,
-                                       Curvature_aware_simplification_report& report)
+// Points as they are, evenly along the Hilbert curve, where there are too few to fit a surface
+template <typename ConcurrencyTag>
+Distinct_samples select_without_moving(const std::vector<Point>& points,
+                                       const Parameters& parameters)
 {
-  Stopwatch stopwatch;
-  const Features features = compute_shared_features<ConcurrencyTag, DiagonalizeTraits>(
-                                cloud, search, parameters.number_of_neighbors, progress)
-                                .features;
-  report.maximum_surface_variation = largest_surface_variation<ConcurrencyTag>(features);
-  report.features_time = stopwatch.lap();
-
   const std::size_t number = parameters.number_of_output_points;
-  if (number >= cloud.size())
-    return distinct_samples<ConcurrencyTag>(
-        cloud, select_points<ConcurrencyTag>(cloud, features, parameters));
   const std::vector<std::size_t> selected = select_along_curve<ConcurrencyTag>(
-      Curve_ranges{1, cloud.size()}, {1.}, number, parameters.random_seed);
-  return {elements_at<ConcurrencyTag>(selected, cloud.points), std::vector<std::size_t>(number, 1)};
+      Curve_ranges{1, points.size()}, {1.}, number, parameters.random_seed);
+  return {elements_at<ConcurrencyTag>(selected, points), std::vector<std::size_t>(number, 1)};
 }
 
 // The samples, in the frame. All that the stages need is measured in the input: outliers, noise,
@@ -81,13 +66,17 @@ Distinct_samples simplify_adaptively(Cloud cloud, std::unique_ptr<Neighbor_searc
                                      const Adaptive_settings& settings, const Progress& progress,
                                      Curvature_aware_simplification_report& report)
 {
-  if (parameters.number_of_output_points >= cloud.size() || cloud.size() < fewest_points_to_fit)
-    return select_without_moving<ConcurrencyTag, DiagonalizeTraits>(cloud, *search, parameters,
-                                                                    progress.part(0., 0.3), report);
+  if (parameters.number_of_output_points >= cloud.size())
+    return all_and_duplicates<ConcurrencyTag>(cloud, parameters.number_of_output_points,
+                                              parameters.random_seed);
+  if (cloud.size() < fewest_points_to_fit)
+    return select_without_moving<ConcurrencyTag>(cloud.points, parameters);
   const Frame frame = cloud.frame;
   Clean_scan scan = clean_scan<ConcurrencyTag, DiagonalizeTraits>(
       std::move(cloud), std::move(search), parameters, settings, progress.part(0., 0.4), report);
   report.output_spacing = frame.length_from_frame(scan.spacing_of_samples);
+  if (report.number_of_distinct_points - report.number_of_outliers < fewest_points_to_fit)
+    return select_without_moving<ConcurrencyTag>(scan.points, parameters);
 
   Stopwatch stopwatch;
   std::vector<Surface_sample> samples =

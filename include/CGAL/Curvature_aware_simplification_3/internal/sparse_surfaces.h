@@ -32,10 +32,10 @@ namespace internal {
 // Points that are taken for outliers because they are thick and sparse may be sparse parts of a
 // surface. Where a scanner is far away, all of a surface is sparse, and thick at edges and where
 // parts are hardly thicker than the points are apart. But not far from there it is flat. So flat
-// points vote for these far ones, in neighborhoods of twice the radius.
+// points support these far ones, in neighborhoods of twice the radius.
 
-// On a surface, twice the radius of the k nearest points holds so many. In space, one point in
-// thirty is flat: of so many neighbors, a quarter never is by chance; of k, a third is for a few of
+// On a surface, twice the radius of the k nearest points holds so many. In space, one point in a
+// hundred is as flat as that (kappa of 0.07): of so many neighbors, a quarter never is by chance; of k, a third is for a few of
 // 100,000 points.
 inline std::size_t neighbors_within_twice_the_radius(std::size_t k)
 {
@@ -80,15 +80,15 @@ bool are_outliers_likely(const Cloud& cloud, const Neighbor_search& search, std:
          median_variation<ConcurrencyTag>(cloud, search, k, far_ones) > largest_variation_of_parts;
 }
 
-// The share of a neighborhood whose votes such a point needs
-inline double needed_share_of_votes(bool are_outliers_likely)
+// The share of a neighborhood whose support such a point needs
+inline double needed_share_of_support(bool are_outliers_likely)
 {
   return are_outliers_likely ? 1. / 4. : 1. / 16.;
 }
 
-// Unmarks those of the far ones that have enough votes of flat points with more than
-// `least_inverse_density` 1/rho, which are among other such points. They vote in the next round.
-// O(n), and O(k + log n) for each point that votes.
+// Unmarks those of the far ones that have enough support of flat points with more than
+// `least_inverse_density` 1/rho, which are among other such points. They support others in the next
+// round. O(n), and O(k + log n) for each point that supports.
 template <typename ConcurrencyTag>
 void unmark_sparse_surfaces(const Cloud& cloud, const Neighbor_search& search,
                             const Features& features, std::size_t k, double least_inverse_density,
@@ -103,23 +103,24 @@ void unmark_sparse_surfaces(const Cloud& cloud, const Neighbor_search& search,
     return (std::max)(static_cast<std::size_t>(share * static_cast<double>(many)), std::size_t(1));
   };
   const std::size_t flat_around_flat = share_of_many(1. / 4.);
-  const std::size_t needed_votes = share_of_many(needed_share);
+  const std::size_t needed_support = share_of_many(needed_share);
 
   const auto is_flat_and_sparse = [&](std::size_t i)
   {
     return is_outlier[i] == 0 && features.surface_variation[i] <= least_variation_of_volumes &&
            features.inverse_density[i] > least_inverse_density;
   };
-  std::vector<std::size_t> voters = indices_where<ConcurrencyTag>(cloud.size(), is_flat_and_sparse);
-  std::vector<std::atomic<std::uint32_t>> votes(cloud.size());
-  for (int round = 0; round < most_rounds && !voters.empty(); ++round)
+  std::vector<std::size_t> supporters =
+      indices_where<ConcurrencyTag>(cloud.size(), is_flat_and_sparse);
+  std::vector<std::atomic<std::uint32_t>> support(cloud.size());
+  for (int round = 0; round < most_rounds && !supporters.empty(); ++round)
   {
-    for_each_index<ConcurrencyTag>(0, voters.size(),
-                                   [&](std::size_t v)
+    for_each_index<ConcurrencyTag>(0, supporters.size(),
+                                   [&](std::size_t s)
                                    {
       std::vector<std::size_t> marked;
       std::size_t flat_and_sparse = 0; // with itself
-      search.for_each_nearest(cloud.points[voters[v]], many + 1,
+      search.for_each_nearest(cloud.points[supporters[s]], many + 1,
                               [&](std::size_t j, const Point&, double)
                               {
         if (is_outlier[j] != 0)
@@ -129,17 +130,17 @@ void unmark_sparse_surfaces(const Cloud& cloud, const Neighbor_search& search,
       });
       if (round > 0 || flat_and_sparse > flat_around_flat)
         for (std::size_t j : marked)
-          votes[j].fetch_add(1, std::memory_order_relaxed);
+          support[j].fetch_add(1, std::memory_order_relaxed);
     });
-    voters = elements_at<ConcurrencyTag>(indices_where<ConcurrencyTag>(far_ones.size(),
-                                                                       [&](std::size_t f)
-                                                                       {
+    supporters = elements_at<ConcurrencyTag>(indices_where<ConcurrencyTag>(far_ones.size(),
+                                                                           [&](std::size_t f)
+                                                                           {
       const std::size_t i = far_ones[f];
-      return is_outlier[i] != 0 && votes[i].load(std::memory_order_relaxed) >= needed_votes;
-                                         }),
-                                         far_ones);
-    for_each_index<ConcurrencyTag>(0, voters.size(),
-                                   [&](std::size_t v) { is_outlier[voters[v]] = 0; });
+      return is_outlier[i] != 0 && support[i].load(std::memory_order_relaxed) >= needed_support;
+                                             }),
+                                             far_ones);
+    for_each_index<ConcurrencyTag>(0, supporters.size(),
+                                   [&](std::size_t s) { is_outlier[supporters[s]] = 0; });
   }
 }
 

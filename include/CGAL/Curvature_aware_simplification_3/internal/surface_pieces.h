@@ -6,9 +6,9 @@
 #ifndef CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_SURFACE_PIECES_H
 #define CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_SURFACE_PIECES_H
 
+#include <CGAL/Curvature_aware_simplification_3/internal/Computation_kernel.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Covariance_sums.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Curve_ranges.h>
-#include <CGAL/Curvature_aware_simplification_3/internal/Neighbor_search.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/features.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/loops.h>
 

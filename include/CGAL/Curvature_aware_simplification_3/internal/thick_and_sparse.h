@@ -40,21 +40,18 @@ inline constexpr double largest_variation_of_parts = 0.15;
 // The same at the border of a volume is that of a half ball, 0.13.
 inline constexpr double least_variation_at_borders_of_volumes = 0.12;
 
-// Points with more than this 1/rho are so sparse that they may be outliers: 3 times the median
-// radius
-inline double far_inverse_density(const std::vector<double>& inverse_density)
+// From which 1/rho on points are sparse, by the median radius of all
+struct Sparseness
 {
-  constexpr double far_radius = 3.;
-  return far_radius * far_radius *
-         median_of_some<Sequential_tag>(inverse_density.size(), 10000,
-                                        [&](std::size_t i) { return inverse_density[i]; });
-}
+  double far;        // 3 times the median radius: they may be outliers
+  double rather_far; // twice: most of them are on sparse parts of a surface
+};
 
-// 1/rho of points with twice the median radius, most of which are on sparse parts of a surface
-inline double rather_far_inverse_density(const std::vector<double>& inverse_density)
+inline Sparseness sparseness_of(const std::vector<double>& inverse_density)
 {
-  constexpr double rather_far = 2. / 3.; // of the radius that is far
-  return rather_far * rather_far * far_inverse_density(inverse_density);
+  const double median = median_of_some<Sequential_tag>(
+      inverse_density.size(), 10000, [&](std::size_t i) { return inverse_density[i]; });
+  return {3. * 3. * median, 2. * 2. * median};
 }
 
 inline bool is_thick_and_sparse(const Features& features, std::size_t i, double variation,
