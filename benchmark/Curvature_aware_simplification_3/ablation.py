@@ -7,8 +7,8 @@ from comparison import Case, in_words
 from page import write_table
 
 DEGRADATIONS = ["clean", "sparse", "noise:0.2", "outliers:5", "clusters:5", "density:10", "density:100",
-                "uneven_noise:0.2", "density:100+uneven_noise:1", "scan lines", "depth steps", "frames",
-                "few points"]
+                "uneven_noise:0.2", "density:100+uneven_noise:1", "scan lines", "noisy scan lines",
+                "depth steps", "frames", "few points"]
 IDEAS = [
     ("uniform density", "adaptivity=0"),
     ("curvature in balls of half a spacing", "curvature_radius=0.5"),
@@ -67,6 +67,11 @@ def cases(igea, meshes):
                 yield degradation, Case(source, source, "lines:1.7+noise:0.07",
                                         percentage=0.75, sample=200000)
                 continue
+            if degradation == "noisy scan lines":
+                # the same with noise along the rays, as large as the distance of the points on a line
+                yield degradation, Case(source, source, "lines:1.7+range_noise:0.4",
+                                        percentage=0.75, sample=200000)
+                continue
             if degradation == "depth steps":
                 # 30,000 points; steps of 2 to 3 of their spacings
                 yield degradation, Case(source, source, "noise:0.1+depth:1", percentage=10, sample=30000)
@@ -116,7 +121,8 @@ def ablation(comparison, igea, meshes, output):
             f"twigs, {seeds} each: above 1, the idea helps. Where the reconstruction drops a part of "
             "one shape by chance, a mean changes by several percent, and so do the largest errors. "
             "*Sparse*: 1 % of the points. *Scan lines*: 1,500 of 20,000 points on lines that are four "
-            "times as far apart as these, with noise. *Depth steps*: 30,000 points with a noise of "
+            "times as far apart as these, with noise; *noisy* ones with noise along the rays that is as large as the "
+            "distance of the points on a line. *Depth steps*: 30,000 points with a noise of "
             "0.1 %, whose depth is then rounded to steps of 1 %. *Frames*: each of 10,000 points ten "
             "times, with a noise of 0.3 % along one direction. *Few points*: 900 of 6,000, with a noise of "
             "0.1 %. Of the tree with *density 100*, fewer points are left than are asked for.\n\n"

@@ -149,6 +149,17 @@ inline Points with_scan_lines(const Points& points, double distance)
   return result;
 }
 
+// Gaussian noise of standard deviation `sigma` along the rays of a scanner, which are in the planes of
+// its lines: these stay what they are
+inline Points with_range_noise(Points points, double sigma, CGAL::Random& random)
+{
+  const double length = sigma * diagonal(points);
+  const Vector ray = Vector(3., 0., -1.) / std::sqrt(10.);
+  for (Point& p : points)
+    p = p + length * normal_deviate(random) * ray;
+  return points;
+}
+
 // Coordinates rounded to multiples of `step`, as file formats with integers do
 inline Points with_rounding(Points points, double step)
 {
@@ -196,8 +207,8 @@ inline Points with_shift(Points points, double distance, CGAL::Random& random)
 }
 
 // By name: clean, noise:PERCENT, uneven_noise:PERCENT, outliers:PERCENT, clusters:PERCENT,
-// density:FACTOR, hole:PERCENT, duplicates:PERCENT, lines:PERCENT, rounding:PERCENT, depth:PERCENT,
-// frames:PERCENT, shift:PERCENT, or several of them one after the other, as in density:10+noise:0.2
+// density:FACTOR, hole:PERCENT, duplicates:PERCENT, lines:PERCENT, range_noise:PERCENT,
+// rounding:PERCENT, depth:PERCENT, frames:PERCENT, shift:PERCENT, or several of them one after the other, as in density:10+noise:0.2
 inline Points degraded(const Points& points, const std::string& degradation, unsigned int seed)
 {
   const std::size_t plus = degradation.find('+');
@@ -226,6 +237,8 @@ inline Points degraded(const Points& points, const std::string& degradation, uns
     return with_duplicates(points, value / 100., random);
   if (name == "lines")
     return with_scan_lines(points, value / 100.);
+  if (name == "range_noise")
+    return with_range_noise(points, value / 100., random);
   if (name == "rounding")
     return with_rounding(points, value / 100.);
   if (name == "depth")
