@@ -195,7 +195,8 @@ TEST(Noise_level, is_found_on_lines_of_a_scan_of_two_close_sheets)
     EXPECT_NEAR(level, sigma, 0.25 * sigma);
 }
 
-// Lines of points 1 apart, `gap` from each other, in sheets at these heights, with noise of the range
+// Lines of points 1 apart, `gap` from each other, in sheets at these heights, with noise of the
+// range
 std::vector<Point> lines_of_a_scan(double gap, double sigma, std::vector<double> heights, int seed)
 {
   const double extent = 50. * std::sqrt(gap);
@@ -209,9 +210,9 @@ std::vector<Point> lines_of_a_scan(double gap, double sigma, std::vector<double>
   return points;
 }
 
-// The 7 nearest points, and where lines are far apart the 17 and the 28 nearest, are in the plane of
-// the noise of one line, which stands on the surface: no noise was found, and samples were up to 2.3
-// sigma off.
+// The 7 nearest points, and where lines are far apart the 17 and the 28 nearest, are in the plane
+// of the noise of one line, which stands on the surface: no noise was found, and samples were up to
+// 2.3 sigma off.
 TEST(Noise_level, as_large_as_the_distance_of_points_on_lines_of_a_scan)
 {
   for (double gap : {4., 8., 16., 24.})

@@ -52,8 +52,8 @@ void add_outliers_in(const CGAL::Bbox_3& box, std::size_t n, unsigned int seed,
   }
 }
 
-// of four square posts of a certain thickness and length 1, with a density that falls by a factor to
-// their upper ends
+// of four square posts of a certain thickness and length 1, with a density that falls by a factor
+// to their upper ends
 std::vector<Point> sparse_posts(int number, double thickness, double factor, unsigned int seed)
 {
   CGAL::Random random(seed);

@@ -841,7 +841,8 @@ TEST(Adaptive, result_does_not_depend_on_how_far_a_few_points_are)
   }
 }
 
-// Fits to more than a third of the points were made all the same if these were 57 with the outliers.
+// Fits to more than a third of the points were made all the same if these were 57 with the
+// outliers.
 TEST(Adaptive, does_not_move_samples_of_few_points_among_outliers)
 {
   settings_of_the_paper = false;

@@ -149,8 +149,8 @@ inline Points with_scan_lines(const Points& points, double distance)
   return result;
 }
 
-// Gaussian noise of standard deviation `sigma` along the rays of a scanner, which are in the planes of
-// its lines: these stay what they are
+// Gaussian noise of standard deviation `sigma` along the rays of a scanner, which are in the planes
+// of its lines: these stay what they are
 inline Points with_range_noise(Points points, double sigma, CGAL::Random& random)
 {
   const double length = sigma * diagonal(points);
@@ -208,7 +208,8 @@ inline Points with_shift(Points points, double distance, CGAL::Random& random)
 
 // By name: clean, noise:PERCENT, uneven_noise:PERCENT, outliers:PERCENT, clusters:PERCENT,
 // density:FACTOR, hole:PERCENT, duplicates:PERCENT, lines:PERCENT, range_noise:PERCENT,
-// rounding:PERCENT, depth:PERCENT, frames:PERCENT, shift:PERCENT, or several of them one after the other, as in density:10+noise:0.2
+// rounding:PERCENT, depth:PERCENT, frames:PERCENT, shift:PERCENT, or several of them one after the
+// other, as in density:10+noise:0.2
 inline Points degraded(const Points& points, const std::string& degradation, unsigned int seed)
 {
   const std::size_t plus = degradation.find('+');

@@ -43,7 +43,8 @@ struct Layer
 };
 
 // Whether the thickness jumps when a layer grows from k to 2 k points: on clean shapes, it grows by
-// a factor of 1.4 to 2.6. Then the k points may be too few, as in one column or on one line of a scan.
+// a factor of 1.4 to 2.6. Then the k points may be too few, as in one column or on one line of a
+// scan.
 inline bool jumps(const Layer& narrow, const Layer& wide)
 {
   constexpr double jump = 3.;

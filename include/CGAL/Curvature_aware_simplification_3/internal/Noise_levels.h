@@ -18,8 +18,8 @@ namespace CGAL {
 namespace Curvature_aware_simplification_3 {
 namespace internal {
 
-// The noise of the points of one place, as the next stages take them: what is measured, at least what
-// rounding has left of the depth and what columns need, and after the smoothing what is left
+// The noise of the points of one place, as the next stages take them: what is measured, at least
+// what rounding has left of the depth and what columns need, and after the smoothing what is left
 struct Noise
 {
   double level = 0.; // standard deviation sigma of their distance to the surface

@@ -20,8 +20,9 @@ namespace Curvature_aware_simplification_3 {
 namespace internal {
 
 // The excess kurtosis of the heights of a layer of two sheets at heights of a and -a with noise
-// sigma is -2 a^4 / s^4, with s^2 = a^2 + sigma^2. It is about -0.45 for a single sheet, whose noise
-// is cut off by the ball that layers are taken from, and -0.5 where two sheets begin to show as two.
+// sigma is -2 a^4 / s^4, with s^2 = a^2 + sigma^2. It is about -0.45 for a single sheet, whose
+// noise is cut off by the ball that layers are taken from, and -0.5 where two sheets begin to show
+// as two.
 inline bool are_two_sheets(const Layer& layer)
 {
   return layer.kurtosis < -0.65;
@@ -75,8 +76,8 @@ struct Noise_of_range
   std::optional<Shown_noise> doubtful;
 
   // What layers tell that may be on one line of a scan, whose noise is as large as the distance of
-  // its points: the quadric or the plane then stands on the surface, and shows none of it. It counts
-  // unless the thickness stays the same in larger layers.
+  // its points: the quadric or the plane then stands on the surface, and shows none of it. It
+  // counts unless the thickness stays the same in larger layers.
   std::optional<Shown_noise> unconfirmed;
 
   void take(const Shown_noise& shown)

@@ -117,9 +117,9 @@ public:
     return found;
   }
 
-  // Those with less than half of k, which may be outliers as well. A border has little more than half:
-  // asked again and again, border after border would go. Of points that are not sparse, only those
-  // off the surface are returned: among sparse ones, it may be outliers that are in a plane.
+  // Those with less than half of k, which may be outliers as well. A border has little more than
+  // half: asked again and again, border after border would go. Of points that are not sparse, only
+  // those off the surface are returned: among sparse ones, it may be outliers that are in a plane.
   template <typename ConcurrencyTag>
   std::vector<std::size_t> less_than_half(const ConcurrencyTag& tag) const
   {
@@ -179,9 +179,9 @@ private:
                                    [&](std::size_t f) { m_is_outlier[found[f]] = 1; });
   }
 
-  // Those not marked that have less votes than needed_votes(i) and pass the test. A vote that counts
-  // for several points makes the number uncertain: those with few are asked how many of their
-  // neighbors would vote for them, were these asked one by one.
+  // Those not marked that have less votes than needed_votes(i) and pass the test. A vote that
+  // counts for several points makes the number uncertain: those with few are asked how many of
+  // their neighbors would vote for them, were these asked one by one.
   template <typename NeededVotes, typename Test, typename ConcurrencyTag>
   std::vector<std::size_t> with_less_votes(const NeededVotes& needed_votes, const Test& test,
                                            const ConcurrencyTag&) const

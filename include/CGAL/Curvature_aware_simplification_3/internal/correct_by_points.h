@@ -51,8 +51,8 @@ double squared_distance_to_samples(const Point& p, const Neighbors& neighbors,
   return result;
 }
 
-// Of the points of the input around a sample, the one that is farthest from all samples and from the
-// points that are `taken` since these were listed; the place of the sample itself if all are
+// Of the points of the input around a sample, the one that is farthest from all samples and from
+// the points that are `taken` since these were listed; the place of the sample itself if all are
 inline Point point_in_largest_gap(const Surface_sample& x, const Neighbor_search& samples,
                                   const std::set<Point>& taken, const Surface_fit& fit)
 {
@@ -76,8 +76,8 @@ inline Point point_in_largest_gap(const Surface_sample& x, const Neighbor_search
   return result;
 }
 
-// Samples at the place of one before them, from which no direction leads away: many on curves, where
-// they come to the same gap and go back to the same point, or stop at the same end.
+// Samples at the place of one before them, from which no direction leads away: many on curves,
+// where they come to the same gap and go back to the same point, or stop at the same end.
 template <typename ConcurrencyTag>
 std::vector<std::size_t> copies_of_others(const std::vector<Surface_sample>& samples,
                                           const Sample_neighbors& neighbors)

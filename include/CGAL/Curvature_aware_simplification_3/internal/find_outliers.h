@@ -65,8 +65,8 @@ mark_far_points(const Cloud& cloud, const Neighbor_search& search, const Feature
 
 // Whether what a second look finds may be outliers that hide from the first: of 5 shapes with 0.3
 // to 5 % of them, 0.01 to 0.18 of those found before, and of a rotor with thin walls up to 0.4. Of
-// sparse strips of a surface between denser ones, as of walls between roofs and the ground, it finds
-// as many as the first look did: 0.6 to 1.4 of them.
+// sparse strips of a surface between denser ones, as of walls between roofs and the ground, it
+// finds as many as the first look did: 0.6 to 1.4 of them.
 inline bool are_few_against(std::size_t second, std::size_t first)
 {
   return 3 * second <= first;

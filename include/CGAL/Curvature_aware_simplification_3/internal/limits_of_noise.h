@@ -43,8 +43,8 @@ struct Plane_of_few_points
 };
 
 // How much noise there is at most in these ranges, as far as planes through 5 points, or through 7,
-// which are known already, show it; infinity elsewhere, and where they do not. Fewer points see less
-// of the other side of a thin part, but tell less of the noise.
+// which are known already, show it; infinity elsewhere, and where they do not. Fewer points see
+// less of the other side of a thin part, but tell less of the noise.
 template <typename ConcurrencyTag>
 std::vector<double>
 limits_of_noise(const Noise_probes& probes, const std::vector<std::size_t>& ranges,

@@ -27,9 +27,10 @@ namespace internal {
 // noise and never makes it look less, so the one that shows less counts, if it is reliable. Next to
 // another sheet, quadrics are not: there, those of planes count, if they tell any, though these
 // turn along the noise and show up to a fifth too little of it. Where these are not reliable, they
-// still set a limit: where points are sparse, quadrics take both sides of a thin part that bends for
-// one layer, and the thickness of the part for noise. Planes that stand on the surface, as those
-// through points on one line of a scan, show none of its noise; but that of quadrics is steady then.
+// still set a limit: where points are sparse, quadrics take both sides of a thin part that bends
+// for one layer, and the thickness of the part for noise. Planes that stand on the surface, as
+// those through points on one line of a scan, show none of its noise; but that of quadrics is
+// steady then.
 inline Noise noise_of_both(const Shown_noise& around_quadrics, const Shown_noise& around_planes)
 {
   Noise noise;

@@ -19,10 +19,10 @@ namespace internal {
 // What tells points in space from those of a surface: these are on thin layers, and near each
 // other.
 
-// kappa of a fold of 45 degrees between the normals, in the middle of a disk: lambda_0 =
-// (1/4 - 16 / (9 pi^2)) r^2 sin^2 (45 / 2 degrees). It is the flattest that counts as an edge; of 90
-// degrees, it is 0.08. Of points spread evenly in space, it is ten times as much: neither what is
-// next to edges nor noise nor outliers are flat.
+// kappa of a fold of 45 degrees between the normals, in the middle of a disk: lambda_0 = (1/4 - 16
+// / (9 pi^2)) r^2 sin^2 (45 / 2 degrees). It is the flattest that counts as an edge; of 90 degrees,
+// it is 0.08. Of points spread evenly in space, it is ten times as much: neither what is next to
+// edges nor noise nor outliers are flat.
 inline constexpr double largest_variation_of_flat_points = 0.02;
 
 // kappa of points spread evenly in space: 0.19 on average for k = 16, and 99 % are above 0.07; that
