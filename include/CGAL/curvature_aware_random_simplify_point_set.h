@@ -154,25 +154,25 @@ curvature_aware_random_simplify_point_set(const PointRange& points, OutputIterat
                                           const NamedParameters& np = parameters::default_values())
 {
   namespace internal = Curvature_aware_simplification_3::internal;
-  using namespace internal;
-  using Types = Input_types<PointRange, NamedParameters>;
+  using Types = internal::Input_types<PointRange, NamedParameters>;
 
-  const Parameters parameters =
-      read_parameters_of_selection(np, internal::number_of_elements(points));
+  const internal::Parameters parameters =
+      internal::read_parameters_of_selection(np, internal::number_of_elements(points));
 
   std::vector<std::size_t> selected;
   try
   {
-    const Progress progress(parameters.callback);
+    const internal::Progress progress(parameters.callback);
     progress.report(0.);
-    const Cloud cloud = internal::read_cloud<ConcurrencyTag>(points, np);
-    const Neighbor_search search(cloud.points, ConcurrencyTag());
-    const Features features = compute_features<ConcurrencyTag, typename Types::Diagonalize_traits>(
-        cloud, search, parameters.number_of_neighbors, progress.part(0., 0.9));
-    selected = select_points<ConcurrencyTag>(cloud, features, parameters);
+    const internal::Cloud cloud = internal::read_cloud<ConcurrencyTag>(points, np);
+    const internal::Neighbor_search search(cloud.points, ConcurrencyTag());
+    const internal::Features features =
+        internal::compute_features<ConcurrencyTag, typename Types::Diagonalize_traits>(
+            cloud, search, parameters.number_of_neighbors, progress.part(0., 0.9));
+    selected = internal::select_points<ConcurrencyTag>(cloud, features, parameters);
     progress.report(1.);
   }
-  catch (const Cancelled&)
+  catch (const internal::Cancelled&)
   {
     return output;
   }

@@ -104,30 +104,31 @@ bool estimate_surface_variation(PointRange& points, std::size_t k,
                                 const NamedParameters& np = parameters::default_values())
 {
   namespace internal = Curvature_aware_simplification_3::internal;
-  using namespace internal;
   using boost::put; // of pointers, which are property maps as well
-  using Types = Input_types<std::remove_const_t<PointRange>, NamedParameters>;
+  using Types = internal::Input_types<std::remove_const_t<PointRange>, NamedParameters>;
 
   if (internal::number_of_elements(points) == 0)
-    throw_empty_range();
-  checked_count("k", k, 2, largest_count, count_from(2));
-  const std::function<bool(double)> callback = read_callback(np);
+    internal::throw_empty_range();
+  internal::checked_count("k", k, 2, internal::largest_count, internal::count_from(2));
+  const std::function<bool(double)> callback = internal::read_callback(np);
 
   try
   {
-    const Progress progress(callback);
+    const internal::Progress progress(callback);
     progress.report(0.);
-    const Cloud cloud = internal::read_cloud<ConcurrencyTag>(points, np);
-    const Neighbor_search search(cloud.points, ConcurrencyTag());
-    const Features features = compute_features<ConcurrencyTag, typename Types::Diagonalize_traits>(
-        cloud, search, k, progress);
-    const std::vector<std::size_t> distinct_index = distinct_indices<ConcurrencyTag>(cloud);
+    const internal::Cloud cloud = internal::read_cloud<ConcurrencyTag>(points, np);
+    const internal::Neighbor_search search(cloud.points, ConcurrencyTag());
+    const internal::Features features =
+        internal::compute_features<ConcurrencyTag, typename Types::Diagonalize_traits>(
+            cloud, search, k, progress);
+    const std::vector<std::size_t> distinct_index =
+        internal::distinct_indices<ConcurrencyTag>(cloud);
     std::size_t i = 0;
     for (auto&& element : points)
       put(surface_variation_map, element, features.surface_variation[distinct_index[i++]]);
     return true;
   }
-  catch (const Cancelled&)
+  catch (const internal::Cancelled&)
   {
     return false;
   }

@@ -67,16 +67,14 @@ std::vector<Point> mapped_lattice(int n, double step, const Map& map)
 
 TEST(Surface_variation, of_a_plane_is_zero)
 {
-  EXPECT_EQ(variation_at_first(
-                mapped_lattice(10, 0.1, [](double u, double v) { return Point(u, v, 0.); }), 16),
-            0.);
+  const auto plane = mapped_lattice(10, 0.1, [](double u, double v) { return Point(u, v, 0.); });
+  EXPECT_EQ(variation_at_first(plane, 16), 0.);
   // tilted and far away: all that is left is rounding error
-  EXPECT_EQ(variation_at_first(mapped_lattice(10, 0.1,
-                                              [](double u, double v) {
+  const auto far_away = mapped_lattice(10, 0.1,
+                                       [](double u, double v) {
     return Point(4e5 + u, 5e6 + v, 100. + 0.3 * u - 0.7 * v);
-                               }),
-                               16),
-            0.);
+  });
+  EXPECT_EQ(variation_at_first(far_away, 16), 0.);
 }
 
 TEST(Surface_variation, of_a_sphere)
