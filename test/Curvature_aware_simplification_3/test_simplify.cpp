@@ -855,6 +855,20 @@ TEST(Adaptive, does_not_move_samples_of_few_points_among_outliers)
   EXPECT_EQ(report.number_of_outliers, 8u);
   for (const Point& p : output)
     EXPECT_NEAR(std::sqrt((p - CGAL::ORIGIN).squared_length()), 1., 1e-12);
+
+  // nor are those with noise smoothed, which can be seen on a plane
+  CGAL::Random random(62);
+  points.erase(points.begin(), points.begin() + 50);
+  for (int i = 0; i < 50; ++i)
+  {
+    const double x = random.get_double(0., 6.), y = random.get_double(0., 6.);
+    points.emplace_back(x, y, 0.1 * surfaces::normal_deviate(random));
+  }
+  for (const Point& p : simplified(points, np::number_of_output_points(12)))
+    EXPECT_TRUE(std::any_of(points.begin(), points.end(),
+                            [&](const Point& q) {
+      return CGAL::squared_distance(p, q) < 1e-20;
+    })) << p;
 }
 
 // Random points of a curve leave gaps, from which samples go back to the same point: of 4500, 520

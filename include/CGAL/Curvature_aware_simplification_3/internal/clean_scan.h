@@ -13,6 +13,7 @@
 #include <CGAL/Curvature_aware_simplification_3/internal/Noise_levels.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Progress.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Stopwatch.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/Surface_fit.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/bent_points.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/features.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/find_outliers.h>
@@ -112,6 +113,7 @@ Clean_scan clean_scan(Cloud cloud, std::unique_ptr<Neighbor_search> search,
                       area_of_surface<ConcurrencyTag>(shared.features.inverse_density));
   // Wider fits are worth their time only where the error is visible: beyond 1 % of the spacing.
   noise.make_visible_above(0.01 * spacing_of_samples);
+  const bool are_enough_to_fit = cloud.size() >= fewest_points_to_fit;
   std::vector<std::uint8_t> is_bent = bent_points<ConcurrencyTag>(shared.features, k, noise);
   Clean_scan scan{std::move(cloud.points),
                   std::move(search),
@@ -125,7 +127,7 @@ Clean_scan clean_scan(Cloud cloud, std::unique_ptr<Neighbor_search> search,
   progress.report(0.75);
   report.noise_time = stopwatch.lap();
 
-  if (settings.smooth_points && scan.noise.is_visible())
+  if (settings.smooth_points && scan.noise.is_visible() && are_enough_to_fit)
   {
     scan.noise = smooth_points<ConcurrencyTag>(
         scan.points, scan.inverse_density, scan.is_bent, *scan.search, scan.noise,

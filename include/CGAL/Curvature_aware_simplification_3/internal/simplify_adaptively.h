@@ -35,10 +35,6 @@ namespace CGAL {
 namespace Curvature_aware_simplification_3 {
 namespace internal {
 
-// A fit to more than a third of all points does not tell what is between them: samples of 19 to 45
-// points on a sphere would be up to 0.7 to 0.4 of its radius off it, of 57 points 0.14.
-inline constexpr std::size_t fewest_points_to_fit = 3 * smallest_neighborhood;
-
 // Points as they are, evenly along the Hilbert curve, where there are too few to fit a surface
 template <typename ConcurrencyTag>
 Distinct_samples select_without_moving(const std::vector<Point>& points,
