@@ -236,9 +236,8 @@ TEST(Correction, puts_samples_at_the_place_of_another_into_gaps_of_their_own)
     EXPECT_EQ(samples[0].point, points[0]);
     EXPECT_EQ(samples[1].point, points[18]);
     EXPECT_EQ(samples[2].point, points[9]);
-    EXPECT_EQ(samples[3].point.x() == 4. || samples[3].point.x() == 5. ||
-                  samples[3].point.x() == 13. || samples[3].point.x() == 14.,
-              true)
+    EXPECT_TRUE(samples[3].point == points[4] || samples[3].point == points[5] ||
+                samples[3].point == points[13] || samples[3].point == points[14])
         << samples[3].point;
   }
 }

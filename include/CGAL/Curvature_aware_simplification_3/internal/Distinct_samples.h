@@ -51,7 +51,8 @@ Distinct_samples distinct_samples(const Cloud& cloud, const std::vector<std::siz
   return samples;
 }
 
-// All distinct points, and so many of their duplicates, chosen at random, that they are `number`
+// All distinct points, and so many of their duplicates that they are `number`, those that
+// select_points() would choose: it asks for features, which decide nothing here
 template <typename ConcurrencyTag>
 Distinct_samples all_and_duplicates(const Cloud& cloud, std::size_t number, std::uint64_t seed)
 {

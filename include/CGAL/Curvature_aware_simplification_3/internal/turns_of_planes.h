@@ -11,7 +11,6 @@
 #include <CGAL/Curvature_aware_simplification_3/internal/Noise_probes.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/principal_axes.h>
 
-#include <cmath>
 #include <cstddef>
 #include <vector>
 
