@@ -107,6 +107,10 @@ Sample_neighbors relax_on_surface(std::vector<Surface_sample>& samples, const Su
   // which makes no difference. Two samples that move as far as the mean come from 2 spacings to 1
   // unseen, but few move towards each other.
   constexpr double far_enough_to_search = 0.5;
+  // After more iterations, most samples rest, and the mean tells nothing of the few that still
+  // travel and meet others unseen: of 30 spheres, half had samples within 0.4 spacings of each other
+  // after 70 iterations, with 0.04 the closest. Searched anew after 10, none had.
+  constexpr std::size_t iterations_until_search = 10;
   // At the start, samples are where chance has put them, and the nearest decide: one ring and a
   // half is as good as more, and saves 2 % of a call.
   constexpr std::size_t first_neighbors = 12;
@@ -125,13 +129,16 @@ Sample_neighbors relax_on_surface(std::vector<Surface_sample>& samples, const Su
   neighbors.search(points, first_neighbors, ConcurrencyTag());
 
   double moved_since_search = 0.;
+  std::size_t last_search = 0; // before this iteration
   std::vector<double> moved(samples.size());
   for (std::size_t iteration = 0; iteration < number_of_iterations; ++iteration)
   {
-    if (moved_since_search > far_enough_to_search)
+    if (moved_since_search > far_enough_to_search ||
+        iteration - last_search == iterations_until_search)
     {
       neighbors.search(points, Sample_neighbors::most, ConcurrencyTag());
       moved_since_search = 0.;
+      last_search = iteration;
     }
     const double iterations = static_cast<double>(number_of_iterations);
     const double weight = repulsion_weight * length_of_steps(fit.settings.length_of_first_steps,
