@@ -19,8 +19,8 @@ Pass an object with the named parameter `simplification_report`, wrapped in `std
 when the function succeeds, and left as it is if it throws or the callback cancels it. Lengths are in the
 unit of the input, times in seconds of wall time.
 
-What is not measured is 0. If all distinct points are returned, or there are fewer than 57, only the
-numbers of points and the time of sorting are measured. With the settings of the paper, neither steps of the
+What is not measured is 0. If all distinct points are returned, or there are fewer than 57 of them, only the
+numbers of points and the time of sorting are measured. If outliers leave fewer than 57, there is no time from the selection on. With the settings of the paper, neither steps of the
 depth nor outliers nor noise are looked for.
 */
 struct Curvature_aware_simplification_report
@@ -62,7 +62,7 @@ struct Curvature_aware_simplification_report
   double smoothing_time = 0.;
   /// stochastic selection, and what it depends on
   double selection_time = 0.;
-  /// all iterations of the relaxation
+  /// fitting surfaces to the samples, and all iterations of the relaxation
   double relaxation_time = 0.;
   /// final projection of the samples, and their way to sharp edges and corners of borders
   double projection_time = 0.;

@@ -157,9 +157,9 @@ input then, so that a permutation of the input gives another selection.
                           computed}
     \cgalParamType{an integer from 2 to 4294967295}
     \cgalParamDefault{`16`}
-    \cgalParamExtra{More neighbors find clusters of up to eight times as many outliers, and make the
-                    surface variation robust against noise and blind to details smaller than the
-                    neighborhood. With less than about 8, points of clean surfaces look like outliers: of
+    \cgalParamExtra{Clusters of up to eight times as many outliers are found, if they are farther from all
+                    else than so many neighbors reach. More neighbors make the surface variation robust
+                    against noise and blind to details smaller than the neighborhood. With less than about 8, points of clean surfaces look like outliers: of
                     random points on a torus 8 % with 2, 2 % with 3, 0.15 % with 5.}
   \cgalParamNEnd
 

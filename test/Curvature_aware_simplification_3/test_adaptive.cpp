@@ -557,6 +557,7 @@ TEST(Adaptive, each_parameter_has_an_effect)
   EXPECT_NE(standard, simplified(points, np::adaptivity(0.3)));
   EXPECT_NE(standard, simplified(points, np::repulsion_weight(0.3)));
   EXPECT_NE(standard, simplified(points, np::number_of_iterations(4)));
+  EXPECT_NE(standard, simplified(points, np::number_of_neighbors(30)));
   EXPECT_NE(standard, simplified(points, np::random_seed(1)));
   EXPECT_NE(standard, simplified(points, np::settings_of_the_paper(true)));
   // what only the method of the paper knows

@@ -25,10 +25,10 @@ namespace {
 
 using namespace inputs;
 
-std::vector<std::uint8_t> outliers_of(const Cloud& cloud)
+std::vector<std::uint8_t> outliers_of(const Cloud& cloud, std::size_t k = 16)
 {
   const Neighbor_search search(cloud.points, Tag());
-  return find_outliers<Tag>(cloud, search, shared_features_of(cloud, search), 16,
+  return find_outliers<Tag>(cloud, search, shared_features_of(cloud, search, k), k,
                             Adaptive_settings());
 }
 
@@ -692,6 +692,28 @@ TEST(Outliers, in_isolated_clusters_are_found)
     }
     EXPECT_LT(std::count(is_outlier.begin(), is_outlier.end(), 1), 205 + 20 + 600 * (noise > 0.));
   }
+}
+
+// As the manual says: up to 8 k points, and farther from all else than k neighbors reach
+TEST(Outliers, in_larger_clusters_are_found_with_more_neighbors)
+{
+  const auto share_found = [](std::size_t size, double gap, std::size_t k)
+  {
+    std::vector<Point> points = surfaces::sphere(20000, 41);
+    append(points, cluster(size, Point(1.04 + gap, 0., 0.), 0.02, 42));
+    const Cloud cloud = make_cloud<Tag>(points, 1e-16);
+    const std::vector<std::uint8_t> is_outlier = outliers_of(cloud, k);
+    double found = 0.;
+    for (std::size_t i = 0; i < cloud.size(); ++i)
+      found += cloud.input_index[i] >= 20000 ? is_outlier[i] : 0;
+    return found / static_cast<double>(size);
+  };
+  EXPECT_LT(share_found(300, 0.2, 16), 0.1);
+  EXPECT_EQ(share_found(300, 0.2, 64), 1.);
+  EXPECT_EQ(share_found(300, 0.2, 128), 1.);  // of the sphere, 128 neighbors reach 0.16
+  EXPECT_LT(share_found(300, 0.2, 512), 0.1); // and 512 reach 0.32
+  EXPECT_EQ(share_found(100, 0.1, 16), 1.);
+  EXPECT_LT(share_found(100, 0.1, 128), 0.1);
 }
 
 // Of specks with less points than a neighborhood, 16 points are a few specks, often in a plane, and

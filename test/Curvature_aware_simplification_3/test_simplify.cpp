@@ -25,6 +25,7 @@
 #include <set>
 #include <stdexcept>
 #include <string>
+#include <thread>
 #include <vector>
 
 namespace {
@@ -453,6 +454,46 @@ TEST_P(Both_methods, callback_cancels_without_output)
     EXPECT_EQ(kappa, -1.);
 }
 
+TEST_P(Both_methods, callback_is_called_on_the_calling_thread)
+{
+  const std::thread::id caller = std::this_thread::get_id();
+  const auto check = [&](double)
+  {
+    EXPECT_EQ(std::this_thread::get_id(), caller);
+    return true;
+  };
+  const std::vector<Point> points = surfaces::sphere(20000, 13);
+  simplified(points, np::callback(check));
+  subset(points, np::callback(check));
+}
+
+TEST_P(Both_methods, report_is_left_as_it_is_unless_the_call_succeeds)
+{
+  const std::vector<Point> points = surfaces::sphere(3000, 13);
+  CGAL::Curvature_aware_simplification_report report;
+  report.number_of_input_points = 7;
+  report.noise_level = -1.;
+  report.sorting_time = -1.;
+  const auto expect_untouched = [&]
+  {
+    EXPECT_EQ(report.number_of_input_points, 7u);
+    EXPECT_EQ(report.noise_level, -1.);
+    EXPECT_EQ(report.sorting_time, -1.);
+  };
+  const auto reported = np::simplification_report(std::ref(report));
+  for (double end : {0., 0.5, 1.})
+  {
+    simplified(points, reported.callback([&](double progress) { return progress < end; }));
+    expect_untouched();
+  }
+  const std::vector<Point> none;
+  EXPECT_THROW(simplified(none, reported), std::invalid_argument);
+  expect_untouched();
+  simplified(points, reported);
+  EXPECT_EQ(report.number_of_input_points, 3000u);
+  EXPECT_GE(report.noise_level, 0.);
+}
+
 TEST_P(Both_methods, callback_may_throw)
 {
   const std::vector<Point> points = surfaces::sphere(3000, 14);
@@ -569,8 +610,7 @@ TEST(Errors, name_the_parameter_its_value_and_what_is_allowed)
             "curvature_dependence is -2, but must be at least 0 and finite");
   EXPECT_EQ(common_message(np::adaptivity(nan)), "adaptivity is nan, but must be from 0 to 1");
   EXPECT_EQ(message(np::repulsion_weight(0.5)),
-            "repulsion_weight is 0.5, but must be at least 0 and below 0.5, where the iteration "
-            "converges");
+            "repulsion_weight is 0.5, but must be at least 0 and below 0.5");
   EXPECT_EQ(common_message(np::number_of_neighbors(5000000000)),
             "number_of_neighbors is 5000000000, but must be an integer from 2 to 4294967295");
   EXPECT_EQ(message_of_subset(np::repulsion_weight(0.5)), "no exception"); // which it does not have
@@ -786,10 +826,20 @@ TEST_P(Both_methods, degenerate_coordinates_at_the_ends_of_their_range)
     tiny.emplace_back(i % 2 == 0 ? -1. : 1., 0., 1e-3 * i);
   huge.emplace_back(1.7e308, 0., 0.);
   for (std::size_t n : {1u, 50u, 900u})
-  {
-    EXPECT_EQ(simplified(tiny, np::number_of_output_points(n)).size(), n);
-    EXPECT_EQ(simplified(huge, np::number_of_output_points(n)).size(), n);
-  }
+    for (const std::vector<Point>* input : {&tiny, &huge})
+    {
+      // the literal method pushes samples beyond the ends
+      const CGAL::Bbox_3 box = CGAL::bbox_3(input->begin(), input->end());
+      const std::vector<Point> output = simplified(*input, np::number_of_output_points(n));
+      EXPECT_EQ(output.size(), n);
+      for (const Point& p : output)
+        for (int axis = 0; axis < 3; ++axis)
+        {
+          const double beyond = 0.2 * (box.max(axis) / 2. - box.min(axis) / 2.);
+          EXPECT_GE(p[axis], box.min(axis) - beyond);
+          EXPECT_LE(p[axis], box.max(axis) + beyond);
+        }
+    }
 }
 
 // Repulsion pushed samples out of the box, where there are no numbers.

@@ -26,7 +26,7 @@ struct Curve_ranges
   std::size_t range_of(std::size_t point) const
   {
     if (std::uint64_t(number_of_points) >> 32 == 0)
-      return point * number / number_of_points;
+      return static_cast<std::size_t>(std::uint64_t(point) * number / number_of_points);
     auto range = static_cast<std::size_t>(
         static_cast<double>(point) *
         (static_cast<double>(number) / static_cast<double>(number_of_points)));
@@ -42,7 +42,8 @@ struct Curve_ranges
   std::size_t first_point(std::size_t range) const
   {
     const std::size_t quotient = number_of_points / number, rest = number_of_points % number;
-    return range * quotient + (range * rest + number - 1) / number;
+    return range * quotient +
+           static_cast<std::size_t>((std::uint64_t(range) * rest + number - 1) / number);
   }
 
   std::size_t size(std::size_t range) const { return first_point(range + 1) - first_point(range); }
@@ -52,7 +53,7 @@ struct Curve_ranges
 // of them tell
 inline std::size_t middle_of_part(std::size_t i, std::size_t number_of_parts, std::size_t n)
 {
-  return (2 * i + 1) * n / (2 * number_of_parts);
+  return static_cast<std::size_t>((2 * std::uint64_t(i) + 1) * n / (2 * number_of_parts));
 }
 
 } // namespace internal

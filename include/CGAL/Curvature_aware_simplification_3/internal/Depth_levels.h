@@ -14,7 +14,6 @@
 #include <CGAL/Origin.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <iterator>
 #include <vector>

@@ -6,7 +6,6 @@
 #ifndef CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_NEAREST_LINE_H
 #define CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_NEAREST_LINE_H
 
-#include <CGAL/Curvature_aware_simplification_3/internal/Layer.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Neighbor_search.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Neighborhood.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/principal_axes.h>

@@ -29,11 +29,10 @@ std::vector<std::uint8_t> bent_points(const Features& features, std::size_t numb
   for_each_index<ConcurrencyTag>(0, is_bent.size(),
                                  [&](std::size_t i)
                                  {
-    const double squared_radius =
-        features.inverse_density[i] * static_cast<double>(number_of_neighbors);
+    const double squared_size = squared_radius(features, i, number_of_neighbors);
     const double sigma = noise.at(i).level;
-    is_bent[i] = features.surface_variation[i] * squared_radius >
-                         largest_variation_of_flat_points * squared_radius + 2. * sigma * sigma
+    is_bent[i] = features.surface_variation[i] * squared_size >
+                         largest_variation_of_flat_points * squared_size + 2. * sigma * sigma
                      ? 1
                      : 0;
   });

@@ -46,7 +46,7 @@ template <typename ConcurrencyTag>
 void denoise_samples(std::vector<Surface_sample>& samples, const Surface_fit& fit,
                      const Progress& progress)
 {
-  constexpr std::size_t pool = 33;
+  constexpr std::size_t pool = 33; // squares: their mean is known to a fourth of itself
   // an outlier among the differences has no more say than 50 others
   constexpr double largest_square = 50.;
 

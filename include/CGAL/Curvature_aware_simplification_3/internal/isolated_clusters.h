@@ -9,11 +9,11 @@
 #include <CGAL/Curvature_aware_simplification_3/internal/Cloud.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Covariance_sums.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Neighbor_search.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/features.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/loops.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/mutual_neighbors.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/prefix_sums.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/principal_axes.h>
-#include <CGAL/Curvature_aware_simplification_3/internal/shared_features.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/thick_and_sparse.h>
 
 #include <algorithm>
@@ -202,7 +202,8 @@ private:
 
   // Whether nothing else is in this ball: three times the root mean square radius is about as far
   // from a cluster as it is wide. Where points come in small groups, as if each were measured many
-  // times, these are nearer to each other.
+  // times, these are nearer to each other. Counted is how many points are in the ball, not which: a
+  // cluster has hardly any that are so far out, and each of these lets one other in.
   bool is_apart(const std::vector<std::size_t>& cluster, const Point& center, double radius) const
   {
     std::size_t within = 0;

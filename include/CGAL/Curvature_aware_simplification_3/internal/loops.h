@@ -21,8 +21,9 @@ namespace CGAL {
 namespace Curvature_aware_simplification_3 {
 namespace internal {
 
-// kernel(i) for all i in [begin, end). The kernel writes only what belongs to i, so that the result
-// does not depend on the tag or on the number of threads.
+// kernel(i) for all i in [begin, end). The kernel writes only what belongs to i, or adds to atomic
+// integers, whose sums do not depend on the order, so that the result depends neither on the tag
+// nor on the number of threads.
 template <typename ConcurrencyTag, typename Kernel>
 void for_each_index(std::size_t begin, std::size_t end, const Kernel& kernel)
 {

@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 namespace CGAL {
@@ -25,7 +26,9 @@ double median_of_some(std::size_t size, std::size_t most, const Value& value)
   const std::size_t number = (std::min)(most, size);
   std::vector<double> values(number);
   for_each_index<ConcurrencyTag>(0, number,
-                                 [&](std::size_t i) { values[i] = value(i * size / number); });
+                                 [&](std::size_t i) {
+    values[i] = value(static_cast<std::size_t>(std::uint64_t(i) * size / number));
+  });
   return median(values);
 }
 

@@ -11,8 +11,6 @@
 #include <CGAL/Curvature_aware_simplification_3/internal/features.h>
 
 #include <cstddef>
-#include <cstdint>
-#include <vector>
 
 namespace CGAL {
 namespace Curvature_aware_simplification_3 {

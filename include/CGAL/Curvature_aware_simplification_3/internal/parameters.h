@@ -193,8 +193,8 @@ Parameters read_parameters(const NamedParameters& np, std::size_t number_of_poin
       checked("curvature_dependence", d, d >= 0. && std::isfinite(d), "at least 0 and finite");
 
   const double mu = number(np, internal_np::repulsion_weight, 0.45);
-  result.repulsion_weight = checked("repulsion_weight", mu, mu >= 0. && mu < 0.5,
-                                    "at least 0 and below 0.5, where the iteration converges");
+  result.repulsion_weight =
+      checked("repulsion_weight", mu, mu >= 0. && mu < 0.5, "at least 0 and below 0.5");
 
   const double h = number(np, internal_np::neighbor_radius, 0.);
   const bool is_derived =

@@ -6,9 +6,9 @@
 #ifndef CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_TWO_PLANES_H
 #define CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_TWO_PLANES_H
 
+#include <CGAL/Curvature_aware_simplification_3/internal/Computation_kernel.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Counter_based_random.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Covariance_sums.h>
-#include <CGAL/Curvature_aware_simplification_3/internal/Neighborhood.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/principal_axes.h>
 
 #include <algorithm>
@@ -86,7 +86,7 @@ inline bool plane_with_most_points(const std::vector<Vector>& points, double tol
   constexpr std::uint64_t trials = 32;
 
   const std::size_t n = points.size();
-  if (n < 7) // twice as many as a plane needs
+  if (n < 7) // through any six, there are two planes
     return false;
   const Counter_based_random random(0, 0);
   const double scale = 1. / tolerance; // so that the square of a product does not underflow
