@@ -563,6 +563,14 @@ void expect_neighbors_as_by_brute_force(const Neighbor_search& search,
     search.for_each_within(query, radius,
                            [&](std::size_t i, const Point&, double) { found.insert(i); });
     EXPECT_EQ(found, expected);
+    for (std::size_t most : {std::size_t(0), std::size_t(3), expected.size(), points.size()})
+    {
+      found.clear();
+      search.for_each_within(
+          query, radius, [&](std::size_t i, const Point&, double) { found.insert(i); }, most);
+      EXPECT_EQ(found.size(), (std::min)(most + 1, expected.size()));
+      EXPECT_TRUE(std::includes(expected.begin(), expected.end(), found.begin(), found.end()));
+    }
   }
 }
 

@@ -23,6 +23,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -94,18 +95,22 @@ public:
   }
 
   // function(index, point, squared distance) for all points in the closed ball, in no particular
-  // order
+  // order. If there are more than `most`, it ends after one more: a ball may hold any number.
   template <typename Function>
-  void for_each_within(const Point& center, double radius, const Function& function) const
+  void for_each_within(const Point& center, double radius, const Function& function,
+                       std::size_t most = (std::numeric_limits<std::size_t>::max)()) const
   {
+    std::size_t left = most < m_tree.size() ? most + 1 : m_tree.size();
     const auto visit = [&](const Point_with_index& p)
     {
-      if (!is_hidden(p))
-        function(p.second, p.first, squared_distance(center, p.first));
+      if (is_hidden(p) || left == 0)
+        return;
+      --left;
+      function(p.second, p.first, squared_distance(center, p.first));
     };
     // by reference, since CGAL assigns output iterators, and a lambda cannot be assigned
     m_tree.search(boost::make_function_output_iterator(std::cref(visit)),
-                  Ball{center, radius * radius});
+                  Ball{center, radius * radius, left});
   }
 
 private:
@@ -153,6 +158,7 @@ private:
   {
     Point center;
     double squared_radius;
+    const std::size_t& left; // points that are asked for; without them, nothing is worth visiting
 
     bool contains(const Point_with_index& p) const
     {
@@ -167,7 +173,8 @@ private:
         return (std::max)(
             {box.min_coord(axis) - center[axis], center[axis] - box.max_coord(axis), 0.});
       };
-      return Vector(outside(0), outside(1), outside(2)).squared_length() <= squared_radius;
+      return left > 0 &&
+             Vector(outside(0), outside(1), outside(2)).squared_length() <= squared_radius;
     }
 
     template <typename Box>

@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <vector>
 
 namespace CGAL {
@@ -63,16 +64,20 @@ struct Neighborhood
     radius = std::sqrt(squared_radius);
   }
 
-  // all in the ball; far fewer operations than for as many nearest ones
-  void collect_within(const Neighbor_search& search, const Point& query, double ball_radius)
+  // All in the ball; far fewer operations than for as many nearest ones. If there are more than
+  // `most`, only some of them, but more than that.
+  void collect_within(const Neighbor_search& search, const Point& query, double ball_radius,
+                      std::size_t most = (std::numeric_limits<std::size_t>::max)())
   {
     center = query;
     neighbors.clear();
     radius = ball_radius;
-    search.for_each_within(query, ball_radius,
-                           [&](std::size_t, const Point& p, double squared_distance) {
+    search.for_each_within(
+        query, ball_radius,
+        [&](std::size_t, const Point& p, double squared_distance) {
       neighbors.push_back({p - query, squared_distance, 1.});
-    });
+        },
+        most);
   }
 
   // those of another neighborhood that are in the ball

@@ -68,7 +68,7 @@ inline void collect_neighbors(const Surface_fit& fit, const Point& x, std::size_
   }
   if (expected_neighbors < 2 * largest) // otherwise the ball holds more anyway
   {
-    neighborhood.collect_within(fit.search, x, wanted_radius);
+    neighborhood.collect_within(fit.search, x, wanted_radius, largest);
     if (neighborhood.size() < smallest)
       neighborhood.collect(fit.search, x, smallest);
     if (neighborhood.size() <= largest)

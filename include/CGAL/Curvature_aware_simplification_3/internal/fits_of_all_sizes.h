@@ -81,12 +81,22 @@ inline Fits_of_all_sizes fits_of_all_sizes(const Surface_fit& fit, const Surface
     return fits;
   // Balls of twice the area, and so on. All are in the largest, which is searched once, but for the
   // small way that the foot point goes.
-  const double ratio = static_cast<double>(fit.settings.points_of_widest_fit) /
+  const std::size_t widest = fit.settings.points_of_widest_fit;
+  const double ratio = static_cast<double>(widest) /
                        static_cast<double>((std::max)(surface.neighbors, std::size_t(1)));
-  const double largest_radius = surface.radius * std::sqrt(ratio);
+  double largest_radius = surface.radius * std::sqrt(ratio);
   static thread_local Neighborhood wide;
   if (ratio > 1.)
-    wide.collect_within(fit.search, surface.origin, largest_radius);
+  {
+    // Next to where points are much denser, it may hold any number of them.
+    const std::size_t most = 2 * widest;
+    wide.collect_within(fit.search, surface.origin, largest_radius, most);
+    if (wide.size() > most)
+    {
+      wide.collect(fit.search, surface.origin, most);
+      largest_radius = wide.radius;
+    }
+  }
   for (double radius = surface.radius; radius < largest_radius;)
   {
     radius = (std::min)(std::sqrt(2.) * radius, largest_radius);
