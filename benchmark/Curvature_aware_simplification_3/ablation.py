@@ -45,6 +45,7 @@ IDEAS = [
     ("narrowest fits only", "denoise=0"),
     ("widest fits of half as many points", "points_of_widest_fit=289"),
     ("steps to wider fits by a Wiener filter", "missed_shape=0"),
+    ("noisy samples not pushed apart once more", "even_out=0"),
     ("fits not corrected by points", "correct_by_points=0"),
     ("samples not moved to sharp edges", "move_to_edges=0"),
     ("samples not moved into corners of borders", "move_to_corners=0"),

@@ -241,6 +241,7 @@ Setting with_parameters(const std::string& parameters)
   set("keep_noisy_layers", settings.keep_noisy_layers);
   set("moves_to_foot_point", settings.moves_to_foot_point);
   set("denoise", settings.denoise);
+  set("even_out", settings.even_out);
   set("points_of_widest_fit", settings.points_of_widest_fit);
   set("missed_shape", settings.missed_shape);
   set("correct_by_points", settings.correct_by_points);

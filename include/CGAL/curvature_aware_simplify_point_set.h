@@ -41,7 +41,7 @@ input:
    the other samples (the second term of eq. 8) in the tangent plane. Samples are not pushed across
    borders.
 -# Where there is noise, samples move towards fits to more neighbors, as far as noise explains the
-   difference.
+   difference, and then push each other apart once more.
 -# Unless there are many outliers, samples whose fits miss the nearest points, as on thin parts, by more than noise
    explains move to these. Samples next to a sharp edge move onto it, and those next to a corner of a border into it.
 

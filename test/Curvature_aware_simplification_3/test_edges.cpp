@@ -291,6 +291,25 @@ TEST(Adaptive, looks_for_no_corners_where_samples_are_crowded)
   EXPECT_FALSE(corner(0.02));
 }
 
+// Seen from above, all points of a plane are to one side, and one that noise had carried there was a
+// corner.
+TEST(Corner, is_in_the_plane_of_its_neighbors)
+{
+  const auto corner_at = [](const Point& place)
+  {
+    const std::vector<Point> points = surfaces::square(20000, 91);
+    const Neighbor_search search(points, Tag());
+    Neighborhood neighborhood;
+    neighborhood.collect(search, place, 65);
+    return is_corner(neighborhood, Vector(0., 0., 1.));
+  };
+  EXPECT_TRUE(corner_at(Point(0., 0., 0.)));
+  EXPECT_TRUE(corner_at(Point(1., 1., 0.02)));
+  EXPECT_FALSE(corner_at(Point(0.5, 0.5, 0.)));
+  EXPECT_FALSE(corner_at(Point(0.5, 0.5, 0.1)));
+  EXPECT_FALSE(corner_at(Point(0.5, 0., 0.02)));
+}
+
 TEST(Adaptive, takes_hardly_any_part_of_a_round_border_for_a_corner)
 {
   std::vector<Point> disk;

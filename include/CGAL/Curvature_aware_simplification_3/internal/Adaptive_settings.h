@@ -110,6 +110,8 @@ struct Adaptive_settings
   // to wider fits are those of a Wiener filter, which go too far where shape is fine: with noise,
   // errors of heads and animals are 1 to 2 % larger, those of smooth parts 2 to 5 % smaller.
   double missed_shape = 0.547;
+  // Noisy samples are pushed apart once more, after they have been put on the surface.
+  bool even_out = true;
   // Without outliers, points of the input are on the surface but for noise, and correct fits that
   // miss them.
   bool correct_by_points = true;

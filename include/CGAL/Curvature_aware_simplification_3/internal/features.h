@@ -123,6 +123,26 @@ Features compute_features(const Cloud& cloud, const Neighbor_search& search,
   return features;
 }
 
+// 1 / rho alone. O(n (log n + k))
+template <typename ConcurrencyTag>
+std::vector<double> inverse_densities(const std::vector<Point>& points,
+                                      const Neighbor_search& search,
+                                      std::size_t number_of_neighbors)
+{
+  const std::size_t size = neighborhood_size(number_of_neighbors, points.size());
+  std::vector<double> result(points.size());
+  for_each_index<ConcurrencyTag>(0, points.size(),
+                                 [&](std::size_t i)
+                                 {
+    double squared_radius = 0.;
+    search.for_each_nearest(points[i], size,
+                            [&](std::size_t, const Point&, double squared_distance)
+                            { squared_radius = (std::max)(squared_radius, squared_distance); });
+    result[i] = squared_radius / static_cast<double>(size - 1);
+  });
+  return result;
+}
+
 template <typename ConcurrencyTag>
 double largest_surface_variation(const Features& features)
 {

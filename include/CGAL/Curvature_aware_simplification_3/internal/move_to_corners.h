@@ -57,13 +57,14 @@ Way_out way_out(const Surface_sample& x, const Neighbors& neighbors,
 
 // Whether the neighbors are in a part of a plane that is clearly less than a half, and their center
 // is its corner: the mean of those in a half disk of radius R is 0.42 R off its center, in a third
-// 0.55 R, in a quarter 0.6 R.
-inline bool is_corner(const Neighborhood& neighborhood)
+// 0.55 R, in a quarter 0.6 R. Across the plane, noise may carry a point as far from the others.
+inline bool is_corner(const Neighborhood& neighborhood, const Vector& normal)
 {
   constexpr double least = 0.5;
   Vector sum(0., 0., 0.);
   for (const Neighborhood::Neighbor& neighbor : neighborhood.neighbors)
     sum = sum + neighbor.position;
+  sum = sum - (sum * normal) * normal;
   const double limit = least * neighborhood.radius * static_cast<double>(neighborhood.size());
   return sum.squared_length() > limit * limit;
 }
@@ -101,7 +102,7 @@ std::optional<Target> nearest_corner(const Surface_sample& x, const Neighbors& n
   });
   static thread_local Neighborhood neighborhood;
   neighborhood.collect(fit.search, last, (std::min)(k, fit.number_of_points));
-  if (!is_corner(neighborhood))
+  if (!is_corner(neighborhood, x.normal))
     return std::nullopt;
   const Point corner =
       fit_local_surface(fit, last, x.normal, x.surface, rounds_to_stay, neighborhood).origin;

@@ -14,10 +14,12 @@
 #include <CGAL/Curvature_aware_simplification_3/internal/clean_scan.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/correct_by_points.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/denoise_samples.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/even_out_samples.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/fit_to_neighbors.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/loops.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/move_to_corners.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/move_to_edges.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/parameters.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/prefix_sums.h>
 
 #include <cstddef>
@@ -32,7 +34,8 @@ namespace internal {
 // places.
 template <typename ConcurrencyTag>
 void project_samples(std::vector<Surface_sample>& samples, const Sample_neighbors& neighbors,
-                     const Clean_scan& scan, const Surface_fit& fit, const Progress& progress)
+                     const Clean_scan& scan, const Surface_fit& fit, const Parameters& parameters,
+                     const Progress& progress)
 {
   std::vector<Point> nearest(samples.size());
   for_each_index<ConcurrencyTag>(samples.size(), progress.part(0., 0.4),
@@ -42,7 +45,10 @@ void project_samples(std::vector<Surface_sample>& samples, const Sample_neighbor
     nearest[i] = x.place(fit.with(x.noise), x.point, x.normal, rounds_to_stay);
   });
   if (fit.settings.denoise && scan.noise.is_visible())
-    denoise_samples<ConcurrencyTag>(samples, fit, progress.part(0.4, 0.8));
+    denoise_samples<ConcurrencyTag>(samples, fit, progress.part(0.4, 0.75));
+  if (fit.settings.even_out && scan.noise.is_visible())
+    even_out_samples<ConcurrencyTag>(samples, neighbors, parameters, fit.settings,
+                                     progress.part(0.75, 0.8));
   if (fit.settings.correct_by_points && !scan.had_many_outliers)
     correct_by_points<ConcurrencyTag>(samples, nearest, neighbors, fit);
   if (fit.settings.move_to_edges)

@@ -88,7 +88,8 @@ Distinct_samples simplify_adaptively(Cloud cloud, std::unique_ptr<Neighbor_searc
                                        parameters.repulsion_weight, progress.part(0.6, 0.85));
   report.relaxation_time = stopwatch.lap();
 
-  project_samples<ConcurrencyTag>(samples, neighbors, scan, fit, progress.part(0.85, 1.));
+  project_samples<ConcurrencyTag>(samples, neighbors, scan, fit, parameters,
+                                  progress.part(0.85, 1.));
   std::vector<Point> points = points_of<ConcurrencyTag>(samples);
   report.projection_time = stopwatch.lap();
   return {std::move(points), std::vector<std::size_t>(samples.size(), 1)};

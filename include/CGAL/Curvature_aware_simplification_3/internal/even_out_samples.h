@@ -1,0 +1,60 @@
+// Copyright (c) 2026 The authors of Curvature_aware_simplification_3.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_EVEN_OUT_SAMPLES_H
+#define CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_EVEN_OUT_SAMPLES_H
+
+#include <CGAL/Curvature_aware_simplification_3/internal/Adaptive_settings.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/Computation_kernel.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/Progress.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/Sample_neighbors.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/Surface_sample.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/parameters.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/repel_samples.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Curvature_aware_simplification_3 {
+namespace internal {
+
+// Moves a sample along the surface that it was put on. It keeps its height over that.
+inline void move_along_surface(Surface_sample& x, const Vector& repulsion)
+{
+  const Vector step = limited_step(repulsion, x.spacing);
+  double a = x.a + step * x.surface.u, b = x.b + step * x.surface.v;
+  x.border.move_back(a, b);
+  const Point end = x.point + (x.surface.point(a, b) - x.surface.point(x.a, x.b));
+  x.move_to(a, b);
+  x.point = end;
+}
+
+// The projection of noisy samples moves them sideways as well, since fits lean with the noise, and
+// brings some close to others, most of all at borders. They push each other apart once more.
+template <typename ConcurrencyTag>
+void even_out_samples(std::vector<Surface_sample>& samples, const Sample_neighbors& neighbors,
+                      const Parameters& parameters, const Adaptive_settings& settings,
+                      const Progress& progress)
+{
+  const std::size_t rounds = (std::min)(parameters.number_of_iterations, std::size_t(2));
+  Sample_positions positions(samples, ConcurrencyTag());
+  for (std::size_t round = 0; round < rounds; ++round)
+    repel_samples<ConcurrencyTag>(
+        samples, positions, neighbors, parameters.repulsion_weight, settings,
+        progress.part(static_cast<double>(round) / 2., static_cast<double>(round + 1) / 2.),
+        [](Surface_sample& x, const Vector& repulsion)
+        {
+      if (x.noise.is_visible)
+        move_along_surface(x, repulsion);
+        });
+}
+
+} // namespace internal
+} // namespace Curvature_aware_simplification_3
+} // namespace CGAL
+
+#endif // CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_EVEN_OUT_SAMPLES_H
