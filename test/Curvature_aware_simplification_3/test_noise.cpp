@@ -303,7 +303,7 @@ TEST(Noise_level, is_found_in_columns_of_points)
         if (here.radius_of_columns > 0.)
         {
           ++columns;
-          EXPECT_NEAR(here.radius_of_columns / unit, 1.8, 1.) << frames << ' ' << sigma;
+          EXPECT_NEAR(here.radius_of_columns / unit, 2.6, 1.2) << frames << ' ' << sigma;
         }
       EXPECT_GT(static_cast<double>(columns), 0.8 * static_cast<double>(noise.of_range.size()))
           << frames << ' ' << sigma;

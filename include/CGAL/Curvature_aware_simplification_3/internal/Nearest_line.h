@@ -24,14 +24,14 @@ struct Nearest_line
   Vector direction = NULL_VECTOR;
   double width = 0.; // of the points across it, over their length
 
-  // Whether they are on it: a line of a scan, or a column of points one above the other. The width
-  // is 0.5 for random points, and 0.1 for the vertices of long triangles.
+  // Whether they are on it: a line of a scan, or a column of points one above the other. Of five
+  // random points, the width is 0.5, and 0.1 for the vertices of long triangles; of three, it is
+  // 0.27, and one in ten is on a line by chance.
   bool holds_them() const { return width < 0.05; }
 };
 
-inline Nearest_line nearest_line(const Neighbor_search& search, const Point& place)
+inline Nearest_line nearest_line(const Neighbor_search& search, const Point& place, std::size_t few)
 {
-  constexpr std::size_t few = 5;
   static thread_local Neighborhood neighborhood;
   neighborhood.collect(search, place, few);
   const Eigen::Vector3d lambda = eigenvalues(covariance_sums(neighborhood));

@@ -87,6 +87,16 @@ struct Noise_of_range
     noise.is_reliable = shown.is_reliable;
   }
 
+  // Points are in columns, of which balls of that radius, and only `number` points, hold several:
+  // what fewer have told was of one.
+  void expect_columns(double radius, std::size_t number)
+  {
+    noise.radius_of_columns = (std::max)(noise.radius_of_columns, radius);
+    enough = (std::max)(enough, number);
+    doubtful.reset();
+    unconfirmed.reset();
+  }
+
   // What layers of k / 2, k and 2 k points tell of the noise; returns whether it is known now. If
   // not, it is taken to be the thickness, until larger ones tell more.
   //
@@ -124,7 +134,7 @@ struct Noise_of_range
       doubtful = shown;
     }
     else if (settings.limit_noise_by_shape && are_enough && inner.is_broad() &&
-             are_thick_by_shape(narrow, wide))
+             noise.radius_of_columns == 0. && are_thick_by_shape(narrow, wide))
       noise.limit = (std::min)(noise.limit, noise_of_layers(narrow, wide));
     noise.level = wide.thickness * noise_in_wide;
     return false;

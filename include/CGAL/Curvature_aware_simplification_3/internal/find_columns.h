@@ -23,6 +23,10 @@ namespace CGAL {
 namespace Curvature_aware_simplification_3 {
 namespace internal {
 
+// As many as show the surface that columns of a few points rise from, as layers of k = 7 see them. A
+// plane through fewer leans with the noise.
+inline constexpr std::size_t points_around_column = 68;
+
 // The k nearest points of a place, and the line through the few next to it
 struct Column
 {
@@ -33,7 +37,8 @@ struct Column
 
 inline Column column_at(const Neighbor_search& search, const Point& place, std::size_t k)
 {
-  const Nearest_line line = nearest_line(search, place);
+  constexpr std::size_t few = 3; // of five frames, five points are often of two columns
+  const Nearest_line line = nearest_line(search, place, few);
   static thread_local Neighborhood neighborhood;
   neighborhood.collect(search, place, k);
   return {neighborhood.radius,
@@ -58,11 +63,11 @@ std::vector<Column> median_columns(const Noise_probes& probes,
 
 // Finds columns of points, one above the other, as where a scanner at rest measured the same
 // directions again and again, where layers of k points hold hardly more than one: they show a plane
-// along it, and no noise. The nearest points are then on a line that rises from the surface, as 4 k
-// points show it. Returned is the radius of these, by range; 0 where there are no columns.
+// along it, and no noise. The nearest points are then on a line that rises from the surface, as the
+// points `around` show it. Returned is the radius of these, by range; 0 where there are no columns.
 template <typename ConcurrencyTag>
 std::vector<double> find_columns(const Noise_probes& probes, const std::vector<std::size_t>& ranges,
-                                 const Neighbor_search& search, std::size_t k,
+                                 const Neighbor_search& search, std::size_t around,
                                  const std::vector<Layer>& narrow, const std::vector<Layer>& wide)
 {
   constexpr double steep = 0.3; // lines of a scan are in the surface
@@ -75,7 +80,7 @@ std::vector<double> find_columns(const Noise_probes& probes, const std::vector<s
            jumps(narrow[range], wide[range]);
   });
   const std::vector<Column> columns =
-      median_columns<ConcurrencyTag>(probes, suspects, search, 4 * k);
+      median_columns<ConcurrencyTag>(probes, suspects, search, around);
   std::vector<double> radii(probes.of_range.size(), 0.);
   for (std::size_t range : suspects)
     if (columns[range].rise > steep)

@@ -42,7 +42,8 @@ struct Facet
 
 inline Facet facet_around(const Neighbor_search& search, const Point& place)
 {
-  constexpr std::size_t k = 8; // a point and the ring around it
+  constexpr std::size_t k = 8;   // a point and the ring around it
+  constexpr std::size_t few = 5; // more than are on a line by chance
   static thread_local Neighborhood neighborhood;
   neighborhood.collect(search, place, k);
   const Eigen::Vector3d lambda = eigenvalues(covariance_sums(neighborhood));
@@ -54,7 +55,7 @@ inline Facet facet_around(const Neighbor_search& search, const Point& place)
   facet.spacing = facet.radius * std::sqrt(CGAL_PI / static_cast<double>(k));
   // On no line of a scan, nor on two: then, the few next to the place are on one.
   facet.is_broad = are_broad(radius_of_disk(lambda(1)), radius_of_disk(lambda(2))) &&
-                   !nearest_line(search, place).holds_them();
+                   !nearest_line(search, place, few).holds_them();
   return facet;
 }
 

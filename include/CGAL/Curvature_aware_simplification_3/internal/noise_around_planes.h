@@ -40,7 +40,8 @@ std::vector<Shown_noise> noise_around_planes(const Noise_probes& probes,
   const std::vector<Layer> narrow = layers(k), wide = layers(2 * k);
   std::vector<double> columns(ranges.size(), 0.);
   if (settings.find_columns)
-    columns = find_columns<ConcurrencyTag>(probes, ranges, search, k, narrow, wide);
+    columns =
+        find_columns<ConcurrencyTag>(probes, ranges, search, points_around_column, narrow, wide);
   const std::vector<double> turns = median_turns<ConcurrencyTag>(probes, ranges, search, k);
   std::vector<Shown_noise> noise(ranges.size());
   std::vector<std::size_t> to_limit;
