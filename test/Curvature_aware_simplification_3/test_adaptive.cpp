@@ -146,8 +146,9 @@ TEST(Adaptive, removes_noise_of_a_scanner_at_rest)
     }
 }
 
-// Directions in no order, as vertices of a mesh: columns of five points were not found, or what one of
-// them told counted, and balls held too few to tell the surface. Samples were 0.3 to 1.3 sigma off.
+// Directions in no order, as vertices of a mesh: columns of five points were not found, or what one
+// of them told counted, and balls held too few to tell the surface. Samples were 0.3 to 1.3 sigma
+// off.
 TEST(Adaptive, removes_noise_of_frames_with_any_directions)
 {
   for (int frames : {5, 10, 20})
@@ -552,7 +553,8 @@ TEST(Adaptive, many_iterations_bring_no_samples_together)
   }
 }
 
-// The fits that noisy samples are projected to lean, and brought 37 and 246 of them close to others.
+// The fits that noisy samples are projected to lean, and brought 37 and 246 of them close to
+// others.
 TEST(Adaptive, noise_brings_few_samples_together)
 {
   const double spacing = std::sqrt(2. / std::sqrt(3.) / 2000.);
@@ -572,8 +574,8 @@ TEST(Adaptive, noise_brings_few_samples_together)
 }
 
 // Noise carries points apart, and frames put them on top of each other. With their density, the
-// spacing was 1.4 of what it is in strong noise, 0.25 where there are 40 frames, and then 294 of 500
-// samples were close to others.
+// spacing was 1.4 of what it is in strong noise, 0.25 where there are 40 frames, and then 294 of
+// 500 samples were close to others.
 TEST(Adaptive, knows_the_spacing_of_the_samples_in_noise_and_in_frames)
 {
   const double spacing = std::sqrt(2. / std::sqrt(3.) / 500.);

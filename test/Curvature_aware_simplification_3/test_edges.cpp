@@ -291,8 +291,8 @@ TEST(Adaptive, looks_for_no_corners_where_samples_are_crowded)
   EXPECT_FALSE(corner(0.02));
 }
 
-// Seen from above, all points of a plane are to one side, and one that noise had carried there was a
-// corner.
+// Seen from above, all points of a plane are to one side, and one that noise had carried there was
+// a corner.
 TEST(Corner, is_in_the_plane_of_its_neighbors)
 {
   const auto corner_at = [](const Point& place)

@@ -20,8 +20,8 @@ namespace internal {
 
 // The coordinate frame of the computation: most of the points are around the origin, and the
 // diagonal of the bounding box has a length in [0.5, 1). So squares do not overflow, and underflow
-// only for parts below 1e-154 of the whole, for any unit, and coordinates far from the origin, as in
-// UTM, lose no digits in differences and products. The scale is a power of two, hence exact.
+// only for parts below 1e-154 of the whole, for any unit, and coordinates far from the origin, as
+// in UTM, lose no digits in differences and products. The scale is a power of two, hence exact.
 class Frame
 {
 public:

@@ -82,8 +82,8 @@ template <typename ConcurrencyTag>
 std::vector<std::size_t> copies_of_others(const std::vector<Surface_sample>& samples,
                                           const Sample_neighbors& neighbors)
 {
-  // In spacings: of copies on curves, nine of ten are within 1e-6, the others within 1e-3; of random
-  // points on a sphere, no two samples are within 0.01.
+  // In spacings: of copies on curves, nine of ten are within 1e-6, the others within 1e-3; of
+  // random points on a sphere, no two samples are within 0.01.
   constexpr double same_place = 1e-3;
   return indices_where<ConcurrencyTag>(samples.size(),
                                        [&](std::size_t i)

@@ -23,8 +23,8 @@ namespace CGAL {
 namespace Curvature_aware_simplification_3 {
 namespace internal {
 
-// As many as show the surface that columns of a few points rise from, as layers of k = 7 see them. A
-// plane through fewer leans with the noise.
+// As many as show the surface that columns of a few points rise from, as layers of k = 7 see them.
+// A plane through fewer leans with the noise.
 inline constexpr std::size_t points_around_column = 68;
 
 // The k nearest points of a place, and the line through the few next to it

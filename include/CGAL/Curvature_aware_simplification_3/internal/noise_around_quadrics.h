@@ -50,15 +50,13 @@ noise_around_quadrics(const Noise_probes& probes, const Neighbor_search& search,
     std::vector<Layer> wide = layers(unknown, 2 * k);
     if (settings.find_columns)
     {
-      // Layers of k points hold one or two columns, so those of 8 k about a dozen: in balls that held
-      // half as many, a fifth of the fits of the smoothing stood on the surface.
+      // Layers of k points hold one or two columns, so those of 8 k about a dozen: in balls that
+      // held half as many, a fifth of the fits of the smoothing stood on the surface.
       const std::vector<double> columns =
           find_columns<ConcurrencyTag>(probes, unknown, search, 8 * k, narrow, wide);
       for (std::size_t range : unknown)
         if (columns[range] > 0.)
-        {
           of_range[range].expect_columns(columns[range], 4 * k);
-        }
     }
     std::vector<std::size_t> still_unknown;
     for (std::size_t range : unknown)

@@ -77,8 +77,8 @@ inline std::optional<Thick_plane> sparse_layer(const Cloud& cloud, const Neighbo
                      std::sqrt((std::max)(lambda(0), 0.))};
 }
 
-// Unmarks those of the far ones that are in such a layer, and returns them. One place tells for 16 k
-// of them along the Hilbert curve, about as many as it looks at. O(log n) for each far one.
+// Unmarks those of the far ones that are in such a layer, and returns them. One place tells for 16
+// k of them along the Hilbert curve, about as many as it looks at. O(log n) for each far one.
 template <typename ConcurrencyTag>
 std::vector<std::size_t> unmark_noisy_layers(const Cloud& cloud, const Neighbor_search& search,
                                              const Features& features, std::size_t k, double sparse,

@@ -66,8 +66,8 @@ Sample_neighbors relax_on_surface(std::vector<Surface_sample>& samples, const Su
   // unseen, but few move towards each other.
   constexpr double far_enough_to_search = 0.5;
   // After more iterations, most samples rest, and the mean tells nothing of the few that still
-  // travel and meet others unseen: of 30 spheres, half had samples within 0.4 spacings of each other
-  // after 70 iterations, with 0.04 the closest. Searched anew after 10, none had.
+  // travel and meet others unseen: of 30 spheres, half had samples within 0.4 spacings of each
+  // other after 70 iterations, with 0.04 the closest. Searched anew after 10, none had.
   constexpr std::size_t iterations_until_search = 10;
   // At the start, samples are where chance has put them, and the nearest decide: one ring and a
   // half is as good as more, and saves 2 % of a call.
