@@ -146,6 +146,19 @@ TEST(Adaptive, removes_noise_of_a_scanner_at_rest)
     }
 }
 
+// A square with 40,000 points in frames of a scanner at rest, whose directions are in no order
+std::vector<Point> frames_of_square(int frames, double sigma, unsigned int seed)
+{
+  CGAL::Random random(seed);
+  const std::vector<Point> directions =
+      surfaces::square(static_cast<std::size_t>(40000 / frames), 3);
+  std::vector<Point> points;
+  for (int frame = 0; frame < frames; ++frame)
+    for (const Point& p : directions)
+      points.push_back(p + sigma * surfaces::normal_deviate(random) * Vector(0., 0., 1.));
+  return points;
+}
+
 // Directions in no order, as vertices of a mesh: columns of five points were not found, or what one
 // of them told counted, and balls held too few to tell the surface. Samples were 0.3 to 1.3 sigma
 // off.
@@ -155,17 +168,10 @@ TEST(Adaptive, removes_noise_of_frames_with_any_directions)
     for (double sigma : {0.2, 0.45}) // of the distance of the directions
     {
       const double distance = std::sqrt(frames / 40000.);
-      CGAL::Random random(1);
-      std::vector<Point> points;
-      const std::vector<Point> frame =
-          surfaces::square(static_cast<std::size_t>(40000 / frames), 3);
-      for (int f = 0; f < frames; ++f)
-        for (const Point& p : frame)
-          points.push_back(p + sigma * distance * surfaces::normal_deviate(random) *
-                                   Vector(0., 0., 1.));
       CGAL::Curvature_aware_simplification_report report;
-      const std::vector<Point> output = simplified(
-          points, np::number_of_output_points(500).simplification_report(std::ref(report)));
+      const std::vector<Point> output =
+          simplified(frames_of_square(frames, sigma * distance, 1),
+                     np::number_of_output_points(500).simplification_report(std::ref(report)));
       const double mean = mean_distance(output, [](const Point& p) { return std::abs(p.z()); });
       EXPECT_LT(mean, 0.25 * sigma * distance) << frames << ' ' << sigma;
       EXPECT_NEAR(report.noise_level / (sigma * distance), 0.95, 0.1) << frames << ' ' << sigma;
@@ -582,21 +588,30 @@ TEST(Adaptive, knows_the_spacing_of_the_samples_in_noise_and_in_frames)
   for (const auto& [frames, sigma] : {std::make_pair(1, 0.003), std::make_pair(1, 0.01),
                                       std::make_pair(20, 0.003), std::make_pair(40, 0.003)})
   {
-    CGAL::Random random(6);
-    std::vector<Point> points;
-    const std::vector<Point> frame = surfaces::square(static_cast<std::size_t>(40000 / frames), 3);
-    for (int f = 0; f < frames; ++f)
-      for (const Point& p : frame)
-        points.push_back(p + sigma * surfaces::normal_deviate(random) * Vector(0., 0., 1.));
     CGAL::Curvature_aware_simplification_report report;
-    const std::vector<double> distances = distances_to_others(simplified(
-        points, np::number_of_output_points(500).simplification_report(std::ref(report))));
+    const std::vector<double> distances = distances_to_others(
+        simplified(frames_of_square(frames, sigma, 6),
+                   np::number_of_output_points(500).simplification_report(std::ref(report))));
     EXPECT_NEAR(report.output_spacing / spacing, 1., 0.1) << frames << ' ' << sigma;
     EXPECT_LE(std::count_if(distances.begin(), distances.end(),
                             [&](double d) { return d < 0.4 * spacing; }),
               20)
         << frames << ' ' << sigma;
   }
+}
+
+// Samples that are far apart were pushed along their fits far beyond the points of these, and one of
+// 200 was 17 sigma off.
+TEST(Adaptive, pushes_no_noisy_sample_beyond_its_fit)
+{
+  const double sigma = 0.02;
+  const std::vector<Point> output = simplified(
+      with_noise(surfaces::torus(100000, 3., 1., 6), sigma, 7), np::number_of_output_points(200));
+  const auto distance = [](const Point& p)
+  { return std::abs(std::hypot(std::hypot(p.x(), p.y()) - 3., p.z()) - 1.); };
+  EXPECT_LT(mean_distance(output, distance), 0.3 * sigma);
+  for (const Point& p : output)
+    EXPECT_LT(distance(p), 3. * sigma) << p;
 }
 
 TEST(Adaptive, moves_no_sample_without_iterations_or_repulsion)

@@ -134,8 +134,8 @@ Clean_scan clean_scan(Cloud cloud, std::unique_ptr<Neighbor_search> search,
         number_of_samples, spacing_of_samples, settings, progress.part(0.75, 1.));
     scan.search.reset(); // two trees at once would take the most memory of the call
     scan.search = std::make_unique<Neighbor_search>(scan.points, ConcurrencyTag());
-    // Noise had put points on top of each other apart: in a layer of half of a spacing of the
-    // samples, the area of the surface looked twice as large.
+    // Noise carries points apart: in a layer of half a spacing of the samples, the area of the
+    // surface looked twice as large. Frames put them on top of each other, and it looked smaller.
     scan.inverse_density = inverse_densities<ConcurrencyTag>(scan.points, *scan.search, k);
     scan.spacing_of_samples =
         lattice_spacing(static_cast<double>(number_of_samples) /

@@ -25,7 +25,11 @@ namespace internal {
 // Moves a sample along the surface that it was put on. It keeps its height over that.
 inline void move_along_surface(Surface_sample& x, const Vector& repulsion)
 {
-  const Vector step = limited_step(repulsion, x.spacing);
+  // Twice the longest step, in radii of the fit. Farther out, slope and bend are those of the noise:
+  // 200 samples of 100,000 noisy points of a torus were 0.16 sigma off before, 0.97 after steps of
+  // half a spacing, one of them 17, and are 0.20 after these. As many samples are close to others.
+  constexpr double trusted = .2;
+  const Vector step = limited_step(repulsion, (std::min)(x.spacing, trusted * x.surface.radius));
   double a = x.a + step * x.surface.u, b = x.b + step * x.surface.v;
   x.border.move_back(a, b);
   const Point end = x.point + (x.surface.point(a, b) - x.surface.point(x.a, x.b));
@@ -40,12 +44,14 @@ void even_out_samples(std::vector<Surface_sample>& samples, const Sample_neighbo
                       const Parameters& parameters, const Adaptive_settings& settings,
                       const Progress& progress)
 {
-  const std::size_t rounds = (std::min)(parameters.number_of_iterations, std::size_t(2));
+  // With four, errors are the same and samples twice as much farther off; with eight, errors grow.
+  constexpr std::size_t most = 2;
+  const std::size_t rounds = (std::min)(parameters.number_of_iterations, most);
   Sample_positions positions(samples, ConcurrencyTag());
   for (std::size_t round = 0; round < rounds; ++round)
     repel_samples<ConcurrencyTag>(
         samples, positions, neighbors, parameters.repulsion_weight, settings,
-        progress.part(static_cast<double>(round) / 2., static_cast<double>(round + 1) / 2.),
+        progress.part(static_cast<double>(round) / most, static_cast<double>(round + 1) / most),
         [](Surface_sample& x, const Vector& repulsion)
         {
       if (x.noise.is_visible)
