@@ -38,6 +38,7 @@ IDEAS = [
     ("noise taken from fits that stand on the surface as well", "tell_standing_fits=0"),
     ("noise not limited by what few points show", "limit_noise_by_planes=0"),
     ("points not smoothed first", "smooth_points=0"),
+    ("points smoothed in the same balls whatever the shape", "smooth_by_shape=0"),
     ("points smoothed all the same where fits miss the shape",
      "residuals_explained_by_noise=1e300"),
     ("as few neighbors between the lines of a scan as elsewhere", "widen_between_lines=0"),

@@ -229,6 +229,7 @@ Setting with_parameters(const std::string& parameters)
   set("densest_in_sparse_regions", settings.densest_in_sparse_regions);
   set("reach_of_repulsion", settings.reach_of_repulsion);
   set("smooth_points", settings.smooth_points);
+  set("smooth_by_shape", settings.smooth_by_shape);
   set("residuals_explained_by_noise", settings.residuals_explained_by_noise);
   set("weight_of_height", settings.weight_of_height);
   set("turns", settings.turns);

@@ -6,6 +6,7 @@
 #include <CGAL/Curvature_aware_simplification_3/internal/Neighbor_search.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/features.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/smooth_points.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/smoothing_radii.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/thin_points.h>
 
 #include <gtest/gtest.h>
@@ -34,6 +35,18 @@ struct Smoothed
 // samples so far from each other that the noise alone decides how far smoothing reaches
 constexpr double far_samples = std::numeric_limits<double>::infinity();
 
+// in balls of 4 sigma
+void smooth_as_usual(Noise_levels& noise)
+{
+  for (Noise& here : noise.of_range)
+    here.smoothing_radius = usual_smoothing_radius(here.level, far_samples);
+}
+
+double height_of_ripples(double x)
+{
+  return 0.012 * std::sin(2. * CGAL_PI * x / 0.04);
+}
+
 Smoothed smoothed(const std::vector<Point>& points, double noise, std::size_t number_of_samples,
                   const Adaptive_settings& settings = Adaptive_settings())
 {
@@ -49,11 +62,11 @@ Smoothed smoothed(const std::vector<Point>& points, double noise, std::size_t nu
   }
   Noise_levels levels = uniform_noise(noise, points.size());
   levels.make_visible_above(0.);
-  result.noise =
-      smooth_points<Tag>(result.points, result.inverse_density, result.is_bent, search, levels,
-                         number_of_samples, far_samples, settings, Progress(no_callback))
-          .at(0)
-          .level;
+  smooth_as_usual(levels);
+  result.noise = smooth_points<Tag>(result.points, result.inverse_density, result.is_bent, search,
+                                    levels, number_of_samples, settings, Progress(no_callback))
+                     .at(0)
+                     .level;
   return result;
 }
 
@@ -83,9 +96,9 @@ TEST(Smoothing, is_where_noise_is_visible)
   std::vector<std::uint8_t> is_bent(points.size(), 0);
   Noise_levels noise{{{0.001, 0.001}, {0.002, 0.002}, {0.0015, 0.0015}}, points.size()};
   noise.make_visible_above(0.00075);
-  const Noise_levels left =
-      smooth_points<Tag>(result, inverse_density, is_bent, search, noise, 1000, far_samples,
-                         Adaptive_settings(), Progress(no_callback));
+  smooth_as_usual(noise);
+  const Noise_levels left = smooth_points<Tag>(result, inverse_density, is_bent, search, noise,
+                                               1000, Adaptive_settings(), Progress(no_callback));
   for (std::size_t i = 0; i < points.size(); ++i)
     EXPECT_EQ(result[i] != points[i], i >= 10000 && i < 20000) << i;
   EXPECT_EQ(left.at(0).level, 0.001);
@@ -94,14 +107,132 @@ TEST(Smoothing, is_where_noise_is_visible)
   EXPECT_EQ(left.at(15000).independent_level, 0.002);
 }
 
-TEST(Smoothing, reaches_less_far_where_noise_is_strong_against_the_spacing_of_the_samples)
+TEST(Smoothing_radius, is_less_where_noise_is_strong_against_the_spacing_of_the_samples)
 {
-  const Noise noise{0.1, 0.1};
-  EXPECT_DOUBLE_EQ(smoothing_radius(noise, far_samples), 0.4);
-  EXPECT_DOUBLE_EQ(smoothing_radius(noise, 0.4), 0.4);
-  EXPECT_DOUBLE_EQ(smoothing_radius(noise, 0.1), 0.16); // as wide as the spacing
-  EXPECT_DOUBLE_EQ(smoothing_radius(noise, 0.0125), 0.04);
-  EXPECT_DOUBLE_EQ(smoothing_radius(Noise{0., 0.}, 0.2), 0.);
+  EXPECT_DOUBLE_EQ(usual_smoothing_radius(0.1, far_samples), 0.4);
+  EXPECT_DOUBLE_EQ(usual_smoothing_radius(0.1, 0.4), 0.4);
+  EXPECT_DOUBLE_EQ(usual_smoothing_radius(0.1, 0.1), 0.16); // as wide as the spacing
+  EXPECT_DOUBLE_EQ(usual_smoothing_radius(0.1, 0.0125), 0.04);
+  EXPECT_DOUBLE_EQ(usual_smoothing_radius(0., 0.2), 0.);
+}
+
+TEST(Smoothing_radius, balances_what_fits_miss_and_the_noise_that_they_leave)
+{
+  const auto factor =
+      [](const std::vector<Fit_difference>& differences, const std::vector<std::size_t>& places)
+  { return factor_of_radius(differences, places); };
+  EXPECT_DOUBLE_EQ(factor({{2., 1.}}, {0}), 1.); // (q - v) / v = 1, 27, 1/8, and less than that
+  EXPECT_DOUBLE_EQ(factor({{28., 1.}}, {0}), 1. / std::sqrt(3.));
+  EXPECT_DOUBLE_EQ(factor({{1.125, 1.}}, {0}), std::sqrt(2.));
+  EXPECT_DOUBLE_EQ(factor({{1.0625, 1.}}, {0}), std::sqrt(2.));
+  EXPECT_DOUBLE_EQ(factor({{0., 1.}}, {0}), std::sqrt(2.));
+  EXPECT_DOUBLE_EQ(factor({{1e9, 0.01}}, {0}), std::pow(49., -1. / 6.)); // another sheet
+  EXPECT_DOUBLE_EQ(factor({{3., 2.}, {1e9, 0.}, {3., 1.}, {1e9, 1.}}, {0, 1, 2}), 1.); // by sums
+  EXPECT_DOUBLE_EQ(factor({{0., 0.}, {0., 0.}}, {0, 1}), 1.);                          // unknown
+  EXPECT_DOUBLE_EQ(factor({{9., 1.}}, {}), 1.);
+}
+
+// A sheet that is flat for x < 0.5, and has ripples 8 sigma long beyond
+std::vector<Point> half_rippled_sheet(std::size_t n)
+{
+  std::vector<Point> points;
+  for (const Point& p : surfaces::square(n, 90))
+    points.emplace_back(p.x(), p.y(), p.x() < 0.5 ? 0. : height_of_ripples(p.x()));
+  return points;
+}
+
+TEST(Smoothing_radius, is_small_where_the_shape_has_details)
+{
+  const double sigma = 0.005;
+  const std::vector<Point> clean = half_rippled_sheet(120000);
+  const Cloud cloud = make_cloud<Tag>(with_noise(clean, sigma, 91), 0.);
+  const double scale = cloud.frame.length_to_frame(sigma);
+  const Neighbor_search search(cloud.points, Tag());
+  const auto radii = [&](double spacing_of_samples, bool smooth_by_shape)
+  {
+    Noise_levels noise{std::vector<Noise>(64, Noise{scale, scale}), cloud.size()};
+    noise.make_visible_above(0.);
+    noise.of_range[63].radius_of_columns = scale;
+    noise.of_range[62].is_visible = false;
+    Adaptive_settings settings;
+    settings.smooth_by_shape = smooth_by_shape;
+    set_smoothing_radii<Tag>(noise, cloud.points, search, spacing_of_samples, settings);
+    return noise;
+  };
+  const Noise_levels noise = radii(far_samples, true);
+  const Curve_ranges ranges{64, cloud.size()};
+  int flat = 0, rippled = 0;
+  for (std::size_t range = 0; range < 62; ++range)
+  {
+    const double ratio = noise.of_range[range].smoothing_radius / scale;
+    double least = 1., most = 0.;
+    for (std::size_t i = ranges.first_point(range); i < ranges.first_point(range + 1); ++i)
+    {
+      const double x = cloud.frame.from_frame(cloud.points[i]).x();
+      least = (std::min)(least, x);
+      most = (std::max)(most, x);
+    }
+    // the sums are over an eighth of the points, which are in a disk with a radius of 0.2
+    if (most < 0.3)
+    {
+      EXPECT_NEAR(ratio, 4., 0.4) << range;
+      ++flat;
+    }
+    if (least > 0.7)
+    {
+      EXPECT_GE(ratio, 2.5) << range;
+      EXPECT_LT(ratio, 3.2) << range;
+      ++rippled;
+    }
+  }
+  EXPECT_GT(flat, 5);
+  EXPECT_GT(rippled, 5);
+  EXPECT_DOUBLE_EQ(noise.of_range[62].smoothing_radius, 4. * scale); // not smoothed
+  EXPECT_DOUBLE_EQ(noise.of_range[63].smoothing_radius, 4. * scale); // must hold columns
+
+  for (const Noise& here : radii(far_samples, false).of_range)
+    EXPECT_DOUBLE_EQ(here.smoothing_radius, 4. * scale);
+  const double usual = usual_smoothing_radius(scale, scale / 2.); // less than 2.5 sigma already
+  for (const Noise& here : radii(scale / 2., true).of_range)
+  {
+    EXPECT_GE(here.smoothing_radius, (1. - 1e-12) * usual);
+    EXPECT_LE(here.smoothing_radius, 1.415 * usual);
+  }
+}
+
+// Balls as wide as for smooth shapes would take a third of the height of ripples away.
+TEST(Smoothing_radius, keeps_details)
+{
+  const double sigma = 0.005;
+  std::vector<Point> points;
+  for (const Point& p : surfaces::square(120000, 92))
+    points.emplace_back(p.x(), p.y(), height_of_ripples(p.x()));
+  const Cloud cloud = make_cloud<Tag>(with_noise(points, sigma, 93), 0.);
+  const Neighbor_search search(cloud.points, Tag());
+  const double scale = cloud.frame.length_to_frame(sigma);
+  const auto part_lost = [&](bool smooth_by_shape)
+  {
+    Noise_levels noise{std::vector<Noise>(64, Noise{scale, scale}), cloud.size()};
+    noise.make_visible_above(0.);
+    Adaptive_settings settings;
+    settings.smooth_by_shape = smooth_by_shape;
+    set_smoothing_radii<Tag>(noise, cloud.points, search, far_samples, settings);
+    std::vector<Point> smoothed = cloud.points;
+    std::vector<double> inverse_density(cloud.size(), 1. / (2. * CGAL_PI * 120000.));
+    std::vector<std::uint8_t> is_bent(cloud.size(), 0);
+    smooth_points<Tag>(smoothed, inverse_density, is_bent, search, noise, 60000, settings,
+                       Progress(no_callback));
+    double common = 0., all = 0.;
+    for (const Point& q : smoothed)
+    {
+      const Point p = cloud.frame.from_frame(q);
+      common += p.z() * height_of_ripples(p.x());
+      all += std::pow(height_of_ripples(p.x()), 2);
+    }
+    return 1. - common / all;
+  };
+  EXPECT_NEAR(part_lost(false), 0.37, 0.05);
+  EXPECT_LT(part_lost(true), 0.27);
 }
 
 // 192 points are in a ball of 4 sigma, where 25 are enough.
@@ -110,7 +241,8 @@ TEST(Thinning, keeps_a_neighborhood_in_each_ball_where_points_are_smoothed)
   const std::vector<double> inverse_density(30000, 0.04 * 0.04 / 48.);
   Noise_levels noise({{0.01, 0.01}, {0.02, 0.02}, {0.02, 0.02}}, 30000);
   noise.make_visible_above(0.0075); // half of 0.02, not half of 0.01
-  const Thinned_points thinned = thin_points<Tag>(inverse_density, noise, 1000, far_samples);
+  smooth_as_usual(noise);
+  const Thinned_points thinned = thin_points<Tag>(inverse_density, noise, 1000);
   const auto kept_before = [&](std::size_t i)
   { return std::lower_bound(thinned.kept.begin(), thinned.kept.end(), i) - thinned.kept.begin(); };
   EXPECT_EQ(kept_before(10000), 10000);
@@ -130,9 +262,10 @@ TEST(Thinning, keeps_two_points_for_each_sample)
   const std::vector<double> inverse_density(30000, 1e-9);
   Noise_levels noise({{0., 0.}, {1., 1.}, {1., 1.}}, 30000);
   noise.make_visible_above(0.1);
+  smooth_as_usual(noise);
   for (std::size_t samples : {5000u, 8000u, 15000u, 20000u})
   {
-    const Thinned_points thinned = thin_points<Tag>(inverse_density, noise, samples, far_samples);
+    const Thinned_points thinned = thin_points<Tag>(inverse_density, noise, samples);
     EXPECT_NEAR(static_cast<double>(thinned.kept.size()),
                 (std::min)((std::max)(2. * static_cast<double>(samples), 10000.), 30000.), 1.);
     EXPECT_TRUE(std::is_sorted(thinned.kept.begin(), thinned.kept.end()));
@@ -150,7 +283,8 @@ TEST(Thinning, leaves_a_sparse_place_beside_a_dense_one)
     inverse_density[i] = 1e-2;
   Noise_levels noise = uniform_noise(0.02, inverse_density.size());
   noise.make_visible_above(0.);
-  const Thinned_points thinned = thin_points<Tag>(inverse_density, noise, 1, far_samples);
+  smooth_as_usual(noise);
+  const Thinned_points thinned = thin_points<Tag>(inverse_density, noise, 1);
   const auto begin = std::lower_bound(thinned.kept.begin(), thinned.kept.end(), 2000u);
   EXPECT_EQ(std::lower_bound(begin, thinned.kept.end(), 2030u) - begin, 30);
   EXPECT_NEAR(static_cast<double>(thinned.kept.size()), 256. + 3839. * 25. / 6400., 2.);

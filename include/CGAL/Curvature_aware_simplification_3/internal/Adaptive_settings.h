@@ -49,6 +49,8 @@ struct Adaptive_settings
 
   // With noise, points are first smoothed one by one.
   bool smooth_points = true;
+  // They are so in balls as wide as the shape allows, as it is seen around places of each range.
+  bool smooth_by_shape = true;
   // Residuals of up to so many times the variance of the noise are taken for noise. More are shape,
   // and points are smoothed less. The variance of 24 residuals scatters by a half: by their weights
   // they count as 13, of which 6 are used up. From 2 to 3, the error near the edges of a cube is

@@ -30,7 +30,8 @@ struct Noise
   double radius_of_columns = 0.;
   // Before the smoothing, at the distance of the samples: only then is it worth time to reduce it.
   bool is_visible = false;
-  double visible_error = 0.; // of a fit, above which it is visible there
+  double smoothing_radius = 0.; // of the ball in which a point is smoothed
+  double visible_error = 0.;    // of a fit, above which it is visible there
 };
 
 // The noise of all points. It grows with the distance from a scanner, and differs from scan to scan
@@ -71,6 +72,13 @@ struct Noise_levels
     for (const Noise& noise : of_range)
       levels.push_back(noise.level);
     return internal::median(levels);
+  }
+
+  // The same noise everywhere
+  void make_uniform()
+  {
+    const double level = median();
+    std::fill(of_range.begin(), of_range.end(), Noise{level, level});
   }
 
   // Smoothing takes the points in a ball with a radius of 4 sigma. So that this ball holds several

@@ -23,6 +23,7 @@
 #include <CGAL/Curvature_aware_simplification_3/internal/remove_outliers.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/shared_features.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/smooth_points.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/smoothing_radii.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/undo_rounding.h>
 
 #include <CGAL/Curvature_aware_simplification_report.h>
@@ -107,7 +108,7 @@ Clean_scan clean_scan(Cloud cloud, std::unique_ptr<Neighbor_search> search,
   report.noise_level = cloud.frame.length_from_frame(noise.median());
   noise.widen_to_columns();
   if (!settings.noise_by_place)
-    noise = uniform_noise(noise.median(), cloud.size());
+    noise.make_uniform();
   const double spacing_of_samples =
       lattice_spacing(static_cast<double>(number_of_samples) /
                       area_of_surface<ConcurrencyTag>(shared.features.inverse_density));
@@ -129,9 +130,11 @@ Clean_scan clean_scan(Cloud cloud, std::unique_ptr<Neighbor_search> search,
 
   if (settings.smooth_points && scan.noise.is_visible() && are_enough_to_fit)
   {
-    scan.noise = smooth_points<ConcurrencyTag>(
-        scan.points, scan.inverse_density, scan.is_bent, *scan.search, scan.noise,
-        number_of_samples, spacing_of_samples, settings, progress.part(0.75, 1.));
+    set_smoothing_radii<ConcurrencyTag>(scan.noise, scan.points, *scan.search, spacing_of_samples,
+                                        settings);
+    scan.noise = smooth_points<ConcurrencyTag>(scan.points, scan.inverse_density, scan.is_bent,
+                                               *scan.search, scan.noise, number_of_samples,
+                                               settings, progress.part(0.75, 1.));
     scan.search.reset(); // two trees at once would take the most memory of the call
     scan.search = std::make_unique<Neighbor_search>(scan.points, ConcurrencyTag());
     // Noise carries points apart: in a layer of half a spacing of the samples, the area of the

@@ -65,14 +65,13 @@ inline double share_explained_by_noise(const Surface_fit& fit, double residual_v
 
 // x moved to the foot point on the quadric through its neighbors, as far as noise explains; x
 // itself where its noise is not visible, or they tell nothing of it
-inline Smoothed_point smooth_point(const Surface_fit& fit, const Point& x, double inverse_density,
-                                   double spacing_of_samples)
+inline Smoothed_point smooth_point(const Surface_fit& fit, const Point& x, double inverse_density)
 {
   static thread_local Neighborhood neighborhood;
   const Smoothed_point unchanged{x, fit.noise.level * fit.noise.level};
   if (!fit.noise.is_visible)
     return unchanged;
-  const double radius = smoothing_radius(fit.noise, spacing_of_samples);
+  const double radius = fit.noise.smoothing_radius;
   const double expected_neighbors =
       (std::min)(radius * radius / inverse_density, too_many_neighbors);
   collect_neighbors(fit, x, smoothing_neighborhood, radius,
@@ -129,12 +128,10 @@ template <typename ConcurrencyTag>
 Noise_levels smooth_points(std::vector<Point>& points, std::vector<double>& inverse_density,
                            std::vector<std::uint8_t>& is_bent, const Neighbor_search& search,
                            const Noise_levels& noise, std::size_t number_of_samples,
-                           double spacing_of_samples, const Adaptive_settings& settings,
-                           const Progress& progress)
+                           const Adaptive_settings& settings, const Progress& progress)
 {
   const Surface_fit fit{search, points.size(), Noise(), settings}; // each point has its own noise
-  Thinned_points thinned =
-      thin_points<ConcurrencyTag>(inverse_density, noise, number_of_samples, spacing_of_samples);
+  Thinned_points thinned = thin_points<ConcurrencyTag>(inverse_density, noise, number_of_samples);
   const std::size_t kept = thinned.kept.size();
   std::vector<Point> smoothed(kept);
   std::vector<double> variance(kept);
@@ -144,7 +141,7 @@ Noise_levels smooth_points(std::vector<Point>& points, std::vector<double>& inve
                                  {
     const std::size_t j = thinned.kept[i];
     const Smoothed_point result =
-        smooth_point(fit.with(noise.at(j)), points[j], inverse_density[j], spacing_of_samples);
+        smooth_point(fit.with(noise.at(j)), points[j], inverse_density[j]);
     smoothed[i] = result.point;
     variance[i] = result.variance;
     is_kept_bent[i] = is_bent[j];

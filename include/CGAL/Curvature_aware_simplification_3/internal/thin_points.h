@@ -25,20 +25,6 @@ namespace internal {
 // all in a ball
 inline constexpr std::size_t smoothing_neighborhood = 25;
 
-// The radius r of that ball: 4 sigma, where a layer looks flat, but no more than strong noise is
-// worth. What a quadric over it misses of a shape with details of all sizes grows with r^2, and
-// matters against what the samples miss, which grows with the square of their spacing s; the noise
-// that it leaves shrinks with sigma / r. The sum of the squares, (r / s)^4 and (sigma / r)^2 times
-// constants, is least for r^3 ~ s^2 sigma. Of the constants 1.4 to 1.7 times the cube root, the
-// smaller ones are better for scanned shapes (mean 0.95 to 0.96, p99 0.93 to 0.97 of that with 4
-// sigma, down to 3 beyond 1.25 spacings), and worse for smooth ones (wavy patch 1.38 to 1.07).
-inline double smoothing_radius(const Noise& noise, double spacing_of_samples)
-{
-  // the cube root of s^2 sigma, which might underflow
-  const double worth = 1.6 * spacing_of_samples * std::cbrt(noise.level / spacing_of_samples);
-  return (std::min)(4. * noise.level, worth);
-}
-
 // The indices of some of the points, in order, and 1/rho of each of them: it stands for those that
 // are left out as well
 struct Thinned_points
@@ -50,9 +36,9 @@ struct Thinned_points
 // The part of the points that is enough to smooth all: those in the ball that smooths one are all
 // averaged into it, so that more than a full neighborhood per ball tell the same again. All, where
 // noise is not visible: there, points are not smoothed.
-inline double part_to_smooth(const Noise& noise, double inverse_density, double spacing_of_samples)
+inline double part_to_smooth(const Noise& noise, double inverse_density)
 {
-  const double radius = smoothing_radius(noise, spacing_of_samples);
+  const double radius = noise.smoothing_radius;
   const double points_in_ball = radius * radius / inverse_density;
   constexpr double enough = static_cast<double>(smoothing_neighborhood);
   return noise.is_visible && points_in_ball > enough ? enough / points_in_ball : 1.;
@@ -63,7 +49,7 @@ inline double part_to_smooth(const Noise& noise, double inverse_density, double 
 // a sparse place that shares a range with a dense one.
 template <typename ConcurrencyTag>
 std::vector<double> parts_to_smooth(const std::vector<double>& inverse_density,
-                                    const Noise_levels& noise, double spacing_of_samples)
+                                    const Noise_levels& noise)
 {
   constexpr std::size_t points_in_range = 256; // with 64 and 1024, results are the same to 1 %
   const std::size_t n = inverse_density.size();
@@ -77,8 +63,7 @@ std::vector<double> parts_to_smooth(const std::vector<double>& inverse_density,
     for (std::size_t i = begin; i < end; ++i)
       sum += inverse_density[i];
     for (std::size_t i = begin; i < end; ++i)
-      parts[i] =
-          part_to_smooth(noise.at(i), sum / static_cast<double>(end - begin), spacing_of_samples);
+      parts[i] = part_to_smooth(noise.at(i), sum / static_cast<double>(end - begin));
   });
   return parts;
 }
@@ -88,11 +73,10 @@ std::vector<double> parts_to_smooth(const std::vector<double>& inverse_density,
 // is missing is taken from all places alike.
 template <typename ConcurrencyTag>
 Thinned_points thin_points(const std::vector<double>& inverse_density, const Noise_levels& noise,
-                           std::size_t number_of_samples, double spacing_of_samples)
+                           std::size_t number_of_samples)
 {
   const std::size_t n = inverse_density.size();
-  std::vector<double> part =
-      parts_to_smooth<ConcurrencyTag>(inverse_density, noise, spacing_of_samples);
+  std::vector<double> part = parts_to_smooth<ConcurrencyTag>(inverse_density, noise);
   const double all = static_cast<double>(n);
   const double enough = reduce_indices<ConcurrencyTag>(
       n, 0., [&](std::size_t i) { return part[i]; }, std::plus<double>());

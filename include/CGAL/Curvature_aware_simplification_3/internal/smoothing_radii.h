@@ -1,0 +1,165 @@
+// Copyright (c) 2026 The authors of Curvature_aware_simplification_3.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_SMOOTHING_RADII_H
+#define CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_SMOOTHING_RADII_H
+
+#include <CGAL/Curvature_aware_simplification_3/internal/Adaptive_settings.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/Curve_ranges.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/Neighborhood.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/Noise_levels.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/Noise_probes.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/Surface_fit.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/fit_quadric.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/loops.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Curvature_aware_simplification_3 {
+namespace internal {
+
+// In balls of 4 sigma, a layer of noisy points looks flat: no fit that smooths them needs more. A
+// ball around a point off the surface holds more of the noise on its side: of 2.5 sigma, the point
+// keeps a quarter of its height (exp(-0.22 r^2 / sigma^2) of it, as was measured on planes), and
+// narrower ones bring less than they leave.
+inline constexpr double largest_smoothing_radius_in_noise = 4.;
+inline constexpr double smallest_smoothing_radius_in_noise = 2.5;
+
+// The radius r of the ball in which a point is smoothed, for a shape of which nothing is known but
+// that it has details of all sizes. What a quadric over the ball misses of it grows with r^2, and
+// matters against what the samples miss, which grows with the square of their spacing s; the noise
+// that it leaves shrinks with sigma / r. The sum of the squares, (r / s)^4 and (sigma / r)^2 times
+// constants, is least for r^3 ~ s^2 sigma. Of the constants 1.4 to 1.7 times the cube root, the
+// smaller ones are better for scanned shapes and worse for smooth ones.
+inline double usual_smoothing_radius(double sigma, double spacing_of_samples)
+{
+  // the cube root of s^2 sigma, which might underflow
+  const double worth = 1.6 * spacing_of_samples * std::cbrt(sigma / spacing_of_samples);
+  return (std::min)(largest_smoothing_radius_in_noise * sigma, worth);
+}
+
+// The quadric that smooths the center of a ball with radius r, from neighbors that are in a larger
+// one. Weights fall as if the radius was twice that: the center of a smoothed point is noisy
+// itself, and were they to fall within a few sigma, points with the same error would count most.
+inline bool fit_smoothing_quadric(const Neighborhood& wide, const Point& center, double radius,
+                                  double sigma, Local_surface& surface)
+{
+  static thread_local Neighborhood neighborhood;
+  neighborhood.take_within(wide, center, radius);
+  neighborhood.radius = 2. * radius;
+  neighborhood.weight_by_distance();
+  return fit_quadric_over_plane(neighborhood, sigma, surface) && surface.error < sigma;
+}
+
+// By how much the heights of two fits around one place differ
+struct Fit_difference
+{
+  double square = 0.;   // of the difference
+  double expected = 0.; // of the square, if noise alone causes it; 0 if nothing is known
+};
+
+// Of quadrics in balls of radius r and sqrt(2) r around the foot point of x
+inline Fit_difference difference_of_fits(const Surface_fit& fit, const Point& x, double radius)
+{
+  // Where balls hold far more points than smooth one, these are in a part of the ball that is no
+  // wider than the noise, and the difference tells nothing of the shape.
+  constexpr std::size_t most = 4 * largest_neighborhood;
+  static thread_local Neighborhood wide;
+  const double sigma = fit.noise.level, large_radius = std::sqrt(2.) * radius;
+  wide.collect_within(fit.search, x, large_radius, most);
+  Local_surface around_point;
+  if (wide.size() > most || !fit_smoothing_quadric(wide, x, radius, sigma, around_point))
+    return {};
+  around_point.move_to_foot_point();
+  const Point foot = around_point.origin;
+  // The ball is moved there: around a point off the surface, narrow balls hold more of the noise on
+  // its side than wide ones, and fits would differ by that.
+  wide.collect_within(fit.search, foot, large_radius, most);
+  Local_surface narrower, wider;
+  if (wide.size() > most || !fit_smoothing_quadric(wide, foot, radius, sigma, narrower) ||
+      !fit_smoothing_quadric(wide, foot, large_radius, sigma, wider))
+    return {};
+  const double expected = narrower.error * narrower.error - wider.error * wider.error;
+  narrower.move_to_foot_point();
+  wider.move_to_foot_point();
+  const double difference = (wider.origin - narrower.origin) * wider.n;
+  return {difference * difference, (std::max)(expected, 0.)};
+}
+
+// The factor t by which balls of radius r are to be larger, so that what fits in them miss of the
+// shape and the noise that they leave are least in sum, from the squares q of the differences of
+// some places and the variance v that noise gives them.
+//
+// A fit in a ball with half the points leaves the variance V, one in the larger ball V / 2, and the
+// difference of nested fits has V - V / 2 = v. What is missed of the shape grows like r^2: b and
+// 2 b, and the difference is b. So with t r, V / t^2 + b^2 t^4 is to be least, with V = 2 v and
+// b^2 = q - v, which is at
+//   t^6 = v / (q - v).
+// Balls larger than those that were looked at are not asked for.
+inline double factor_of_radius(const std::vector<Fit_difference>& differences,
+                               const std::vector<std::size_t>& places)
+{
+  // as in denoise_samples.h: another sheet, or a part that no quadric fits, is one place of many
+  constexpr double largest_square = 50.;
+  double square = 0., expected = 0.;
+  for (std::size_t i : places)
+  {
+    square += (std::min)(differences[i].square, largest_square * differences[i].expected);
+    expected += differences[i].expected;
+  }
+  if (!(expected > 0.))
+    return 1.;
+  const double least_shape = expected / 8.; // t = sqrt(2)
+  return std::pow(expected / (std::max)(square - expected, least_shape), 1. / 6.);
+}
+
+// Decides in which balls the points of each range with visible noise are smoothed: wide ones where
+// the shape is smooth, narrow ones where it has details.
+template <typename ConcurrencyTag>
+void set_smoothing_radii(Noise_levels& noise, const std::vector<Point>& points,
+                         const Neighbor_search& search, double spacing_of_samples,
+                         const Adaptive_settings& settings)
+{
+  for (Noise& here : noise.of_range)
+    here.smoothing_radius = usual_smoothing_radius(here.level, spacing_of_samples);
+  if (!settings.smooth_by_shape)
+    return;
+
+  const Surface_fit fit{search, points.size(), Noise(), settings}; // each place has its own noise
+  const Noise_probes probes = noise_probes<ConcurrencyTag>(points);
+  const std::size_t number = probes.points.size();
+  std::vector<Fit_difference> differences(number);
+  for_each_index<ConcurrencyTag>(0, number,
+                                 [&](std::size_t i)
+                                 {
+    const Noise& here = noise.at(middle_of_part(i, number, points.size()));
+    if (here.is_visible)
+      differences[i] = difference_of_fits(fit.with(here), probes.points[i], here.smoothing_radius);
+  });
+  for (std::size_t range = 0; range < noise.of_range.size(); ++range)
+  {
+    Noise& here = noise.of_range[range];
+    const std::size_t of_probes =
+        middle_of_part(range, noise.of_range.size(), probes.of_range.size());
+    // balls that hold several columns are as wide as they must be
+    if (!here.is_visible || here.radius_of_columns > 0.)
+      continue;
+    const double usual = here.smoothing_radius;
+    const double least = (std::min)(smallest_smoothing_radius_in_noise * here.level, usual);
+    const double most = largest_smoothing_radius_in_noise * here.level;
+    const double wanted = usual * factor_of_radius(differences, probes.of_range[of_probes]);
+    here.smoothing_radius = (std::min)((std::max)(wanted, least), most);
+  }
+}
+
+} // namespace internal
+} // namespace Curvature_aware_simplification_3
+} // namespace CGAL
+
+#endif // CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_SMOOTHING_RADII_H
