@@ -180,8 +180,8 @@ TEST(Smoothing_radius, is_small_where_the_shape_has_details)
     }
     if (least > 0.7)
     {
-      EXPECT_GE(ratio, 2.5) << range;
-      EXPECT_LT(ratio, 3.2) << range;
+      EXPECT_GE(ratio, 3. - 1e-12) << range;
+      EXPECT_LT(ratio, 3.3) << range;
       ++rippled;
     }
   }
@@ -192,7 +192,7 @@ TEST(Smoothing_radius, is_small_where_the_shape_has_details)
 
   for (const Noise& here : radii(far_samples, false).of_range)
     EXPECT_DOUBLE_EQ(here.smoothing_radius, 4. * scale);
-  const double usual = usual_smoothing_radius(scale, scale / 2.); // less than 2.5 sigma already
+  const double usual = usual_smoothing_radius(scale, scale / 2.); // less than 3 sigma already
   for (const Noise& here : radii(scale / 2., true).of_range)
   {
     EXPECT_GE(here.smoothing_radius, (1. - 1e-12) * usual);
