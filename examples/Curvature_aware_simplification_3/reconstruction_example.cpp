@@ -1,5 +1,5 @@
-// From a raw scan to a mesh: points with noise and outliers are simplified, what was found in them is
-// printed, and a triangle mesh of the simplified points is written.
+// From a raw scan to a mesh: points with noise and outliers are simplified, what was found in them
+// is printed, and a triangle mesh of the simplified points is written.
 
 #include <CGAL/Advancing_front_surface_reconstruction.h>
 #include <CGAL/Curvature_aware_simplification_report.h>
