@@ -4,7 +4,7 @@
 #   scripts/manual_figures.sh
 set -euo pipefail
 . "$(dirname "$0")/setup.sh"
-install_missing nlohmann-json3-dev "${render_packages[@]}"
+install_missing nlohmann-json3-dev "${render_packages[@]}" # the first for simplify_and_measure
 
 figures=doc/Curvature_aware_simplification_3/fig
 meshes=$CGAL_DATA_DIR/meshes

@@ -30,8 +30,8 @@ struct Noise
   double radius_of_columns = 0.;
   // Before the smoothing, at the distance of the samples: only then is it worth time to reduce it.
   bool is_visible = false;
-  double smoothing_radius = 0.; // of the ball in which a point is smoothed
   double visible_error = 0.;    // of a fit, above which it is visible there
+  double smoothing_radius = 0.; // of the ball in which a point is smoothed
 };
 
 // The noise of all points. It grows with the distance from a scanner, and differs from scan to scan

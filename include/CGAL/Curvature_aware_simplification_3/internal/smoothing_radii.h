@@ -46,8 +46,7 @@ inline double usual_smoothing_radius(double sigma, double spacing_of_samples)
 }
 
 // The quadric that smooths the center of a ball with radius r, from neighbors that are in a larger
-// one. Weights fall as if the radius was twice that: the center of a smoothed point is noisy
-// itself, and were they to fall within a few sigma, points with the same error would count most.
+// one, with the weights of smooth_point()
 inline bool fit_smoothing_quadric(const Neighborhood& wide, const Point& center, double radius,
                                   double sigma, Local_surface& surface)
 {
