@@ -312,9 +312,9 @@ TEST(Fit, starts_from_the_point_and_the_normal_it_is_given)
     own.place(fit, p, CGAL::NULL_VECTOR, rounds_to_move);
     own.point = own.point + Vector(0., 0.02, 0.);
     given = own;
-    own.place(fit, own.point, own.normal, rounds_to_stay);
+    own.place(fit, own.point, own.normal(), rounds_to_stay);
     const Point x = given.point;
-    const Vector normal = given.normal;
+    const Vector normal = given.normal();
     given.place(fit, x, normal, rounds_to_stay);
     EXPECT_EQ(own.point, given.point);
   }

@@ -113,8 +113,7 @@ std::vector<Point> relaxed_on_a_square(const Adaptive_settings& settings, std::s
 {
   const std::vector<Point> points = surfaces::square(20000, 9);
   const Neighbor_search search(points, Tag());
-  Surface_fit fit{search, points.size()};
-  fit.settings = settings;
+  const Surface_fit fit{search, points.size(), no_noise, settings};
   std::vector<Surface_sample> samples;
   for (const Point& p : points)
     if (is_wanted(p))
@@ -221,13 +220,13 @@ TEST(Correction, puts_samples_at_the_place_of_another_into_gaps_of_their_own)
   const std::vector<Point> places(4, points[0]);
   for (double sigma : {0., 0.1})
   {
+    const Noise noise{sigma, sigma, 0., sigma > 0.};
     std::vector<Surface_sample> samples(4);
     for (Surface_sample& sample : samples)
     {
       sample.point = sample.surface.origin = points[0];
       sample.surface.radius = sample.spacing = 5.;
-      sample.noise.level = sigma;
-      sample.noise.is_visible = sigma > 0.;
+      sample.noise = &noise;
     }
     Sample_neighbors neighbors;
     neighbors.search(places, 3, Tag());
@@ -247,15 +246,17 @@ TEST(Correction, is_of_what_noise_does_not_explain)
   Surface_sample x; // on a horizontal plane
   x.surface.origin = Point(0., 0., 0.);
   x.surface.radius = x.spacing = 1.;
-  x.noise.is_visible = true;
+  Noise noise;
+  noise.is_visible = true;
+  x.noise = &noise;
   for (double sigma : {0., 0.1})
   {
-    x.noise.level = sigma;
+    noise.level = sigma;
     EXPECT_TRUE(is_missed(x, Point(0.5, 0., 0.3)));
   }
-  x.noise.level = 0.2;
+  noise.level = 0.2;
   EXPECT_FALSE(is_missed(x, Point(0.5, 0., 0.3)));
-  x.noise.level = 0.01; // noise does not explain it, but any fit errs so much
+  noise.level = 0.01; // noise does not explain it, but any fit errs so much
   EXPECT_FALSE(is_missed(x, Point(0.5, 0., 0.09)));
   x.spacing = 0.8; // samples that are nearer to each other than the fit is wide show it
   EXPECT_TRUE(is_missed(x, Point(0.5, 0., 0.09)));

@@ -123,6 +123,8 @@ struct Adaptive_settings
   bool move_to_corners = true;
 };
 
+inline constexpr Adaptive_settings default_settings = Adaptive_settings();
+
 } // namespace internal
 } // namespace Curvature_aware_simplification_3
 } // namespace CGAL

@@ -34,6 +34,8 @@ struct Noise
   double smoothing_radius = 0.; // of the ball in which a point is smoothed
 };
 
+inline constexpr Noise no_noise = Noise();
+
 // The noise of all points. It grows with the distance from a scanner, and differs from scan to scan
 // and from material to material: each range of the Hilbert curve has its own.
 struct Noise_levels

@@ -15,6 +15,7 @@
 #include <CGAL/Iterator_range.h>
 
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 namespace CGAL {
@@ -42,18 +43,19 @@ public:
                                    {
       std::size_t next = m_first[i];
       search.for_each_nearest(centers[i], number_wanted[i],
-                              [&](std::size_t j, const Point&, double) { m_pieces[next++] = j; });
+                              [&](std::size_t j, const Point&, double)
+                              { m_pieces[next++] = static_cast<std::uint32_t>(j); });
     });
   }
 
-  Iterator_range<const std::size_t*> of(std::size_t center) const
+  Iterator_range<const std::uint32_t*> of(std::size_t center) const
   {
     return make_range(m_pieces.data() + m_first[center], m_pieces.data() + m_first[center + 1]);
   }
 
 private:
-  std::vector<std::size_t> m_first; // of each center, and the end of all
-  Uninitialized_vector<std::size_t> m_pieces;
+  std::vector<std::size_t> m_first;             // of each center, and the end of all
+  Uninitialized_vector<std::uint32_t> m_pieces; // of which there are Curve_ranges::most at most
 };
 
 } // namespace internal

@@ -22,9 +22,9 @@ namespace internal {
 struct Surface_fit
 {
   const Neighbor_search& search;
-  std::size_t number_of_points; // of the search
-  Noise noise = Noise();        // of the points near the place that is fitted
-  Adaptive_settings settings = Adaptive_settings();
+  std::size_t number_of_points;  // of the search
+  const Noise& noise = no_noise; // of the points near the place that is fitted
+  const Adaptive_settings& settings = default_settings;
 
   Surface_fit with(const Noise& noise_there) const
   {

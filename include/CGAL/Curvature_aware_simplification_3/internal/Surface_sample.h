@@ -23,18 +23,18 @@ struct Surface_sample
 {
   Local_surface surface;
   Surface_border border;
-  double a = 0., b = 0.; // position on the surface
-  double spacing = 0.;   // wanted distance to its neighbors, s
-  Noise noise;           // of the input around
+  double a = 0., b = 0.;          // position on the surface
+  double spacing = 0.;            // wanted distance to its neighbors, s
+  const Noise* noise = &no_noise; // of the input around
   Point point = Point(0., 0., 0.);
-  Vector normal = Vector(0., 0., 1.);
+
+  Vector normal() const { return surface.normal(a, b); }
 
   void move_to(double new_a, double new_b)
   {
     a = new_a;
     b = new_b;
     point = surface.point(a, b);
-    normal = surface.normal(a, b);
   }
 
   // Fits the surface around x in so many rounds, and puts the sample on it. In a gap of the input,

@@ -37,7 +37,7 @@ inline bool is_missed(const Surface_sample& x, const Point& nearest)
   constexpr double largest_noise = 2.5;
   return std::abs(x.surface.residual(nearest - x.surface.origin)) >
          (std::max)(largest_error * (std::min)(x.surface.radius, x.spacing),
-                    largest_noise * x.noise.level);
+                    largest_noise * x.noise->level);
 }
 
 // The squared distance of a point to the nearest of these samples

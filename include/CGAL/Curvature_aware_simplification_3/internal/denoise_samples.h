@@ -56,8 +56,8 @@ void denoise_samples(std::vector<Surface_sample>& samples, const Surface_fit& fi
                                  [&](std::size_t i)
                                  {
     const Surface_sample& x = samples[i];
-    if (x.noise.is_visible)
-      fits[i] = fits_of_all_sizes(fit.with(x.noise), x);
+    if (x.noise->is_visible)
+      fits[i] = fits_of_all_sizes(fit.with(*x.noise), x);
     else
       fits[i].point = x.point;
     points[i] = fits[i].point;

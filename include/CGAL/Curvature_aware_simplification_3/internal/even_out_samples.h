@@ -55,7 +55,7 @@ void even_out_samples(std::vector<Surface_sample>& samples, const Sample_neighbo
         progress.part(static_cast<double>(round) / most, static_cast<double>(round + 1) / most),
         [](Surface_sample& x, const Vector& repulsion)
         {
-      if (x.noise.is_visible)
+      if (x.noise->is_visible)
         move_along_surface(x, repulsion);
         });
 }

@@ -75,7 +75,7 @@ inline Fits_of_all_sizes fits_of_all_sizes(const Surface_fit& fit, const Surface
   static thread_local Neighborhood neighborhood;
   Local_surface surface = x.surface;
   if (x.a != 0. || x.b != 0.) // back from a border
-    surface = fit_local_surface(fit, x.point, x.normal, surface, rounds_to_stay, neighborhood);
+    surface = fit_local_surface(fit, x.point, x.normal(), surface, rounds_to_stay, neighborhood);
   Fits_of_all_sizes fits{surface.origin, {}};
   if (!(surface.radius > 0.))
     return fits;

@@ -39,6 +39,7 @@ Way_out way_out(const Surface_sample& x, const Neighbors& neighbors,
                 const std::vector<Point>& points)
 {
   constexpr std::size_t most = 8; // the ring around a sample, and some more
+  const Vector normal = x.normal();
   Vector sum(0., 0., 0.);
   double length = 0.;
   std::size_t number = 0;
@@ -48,7 +49,7 @@ Way_out way_out(const Surface_sample& x, const Neighbors& neighbors,
       break;
     ++number;
     const Vector d = x.point - points[i];
-    const Vector t = d - (d * x.normal) * x.normal;
+    const Vector t = d - (d * normal) * normal;
     sum = sum + t;
     length += std::sqrt(t.squared_length());
   }
@@ -102,10 +103,10 @@ std::optional<Target> nearest_corner(const Surface_sample& x, const Neighbors& n
   });
   static thread_local Neighborhood neighborhood;
   neighborhood.collect(fit.search, last, (std::min)(k, fit.number_of_points));
-  if (!is_corner(neighborhood, x.normal))
+  if (!is_corner(neighborhood, x.normal()))
     return std::nullopt;
   const Point corner =
-      fit_local_surface(fit, last, x.normal, x.surface, rounds_to_stay, neighborhood).origin;
+      fit_local_surface(fit, last, x.normal(), x.surface, rounds_to_stay, neighborhood).origin;
   const double squared_way = squared_distance(x.point, corner);
   for (std::size_t i : neighbors)
     if (squared_distance(points[i], corner) < squared_way)
@@ -126,7 +127,7 @@ void move_to_corners(std::vector<Surface_sample>& samples, const Sample_neighbor
   std::vector<std::optional<Target>> targets(samples.size());
   for_each_index<ConcurrencyTag>(samples.size(), progress,
                                  [&](std::size_t i) {
-    targets[i] = nearest_corner(samples[i], neighbors.of(i), points, fit.with(samples[i].noise));
+    targets[i] = nearest_corner(samples[i], neighbors.of(i), points, fit.with(*samples[i].noise));
   });
   move_to_targets<ConcurrencyTag>(samples, targets, neighbors, one_for_each_corner);
 }

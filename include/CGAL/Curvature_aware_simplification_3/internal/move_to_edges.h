@@ -142,8 +142,8 @@ void move_to_edges(std::vector<Surface_sample>& samples, const Sample_neighbors&
   for_each_index<ConcurrencyTag>(samples.size(), progress,
                                  [&](std::size_t i)
                                  {
-    targets[i] = nearest_edge_point(samples[i], neighbors.of(i), points, fit.with(samples[i].noise),
-                                    bent_search);
+    targets[i] = nearest_edge_point(samples[i], neighbors.of(i), points,
+                                    fit.with(*samples[i].noise), bent_search);
   });
   move_to_targets<ConcurrencyTag>(samples, targets, neighbors, too_close);
 }

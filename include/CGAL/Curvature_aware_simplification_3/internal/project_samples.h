@@ -42,7 +42,7 @@ void project_samples(std::vector<Surface_sample>& samples, const Sample_neighbor
                                  [&](std::size_t i)
                                  {
     Surface_sample& x = samples[i];
-    nearest[i] = x.place(fit.with(x.noise), x.point, x.normal, rounds_to_stay);
+    nearest[i] = x.place(fit.with(*x.noise), x.point, x.normal(), rounds_to_stay);
   });
   if (fit.settings.denoise && scan.noise.is_visible())
     denoise_samples<ConcurrencyTag>(samples, fit, progress.part(0.4, 0.75));

@@ -38,7 +38,7 @@ inline void move_on_surface(Surface_sample& x, const Vector& repulsion, const Su
   }
   // beyond the fit, it is followed for half its radius at most
   const double part = (std::min)(1., 1.5 * x.surface.radius / distance);
-  x.place(fit.with(x.noise), x.surface.point(part * a, part * b),
+  x.place(fit.with(*x.noise), x.surface.point(part * a, part * b),
           x.surface.normal(part * a, part * b), rounds_to_move);
 }
 

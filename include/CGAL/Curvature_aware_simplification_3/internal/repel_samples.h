@@ -33,6 +33,7 @@ Vector tangential_repulsion(const Surface_sample& x, const Neighbors& neighbors,
                             const std::vector<Point>& points, const std::vector<double>& spacings,
                             const Adaptive_settings& settings)
 {
+  const Vector normal = x.normal();
   const double inverse = 1. / (x.spacing * x.spacing);
   const double inverse_reach = 1. / (settings.reach_of_repulsion * settings.reach_of_repulsion);
   Vector sum(0., 0., 0.); // its part along the normal is taken off once, at the end
@@ -40,7 +41,7 @@ Vector tangential_repulsion(const Surface_sample& x, const Neighbors& neighbors,
   for (std::size_t i : neighbors)
   {
     const Vector d = x.point - points[i];
-    const double h = d * x.normal;
+    const double h = d * normal;
     const double squared_distance = d.squared_length() + (settings.weight_of_height - 1.) * h * h;
     const double rho2 = squared_distance * inverse;
     const double base = 1. - inverse_reach * rho2;
@@ -53,7 +54,7 @@ Vector tangential_repulsion(const Surface_sample& x, const Neighbors& neighbors,
     sum = sum + beta * d;
     weight += beta;
   }
-  sum = sum - (sum * x.normal) * x.normal;
+  sum = sum - (sum * normal) * normal;
   // In a lattice of spacing s, the weights add up to 6 (3/4)^6 = 1.07. Few and far neighbors push
   // less: divided by less, one at the end of the reach would push as six around do, and where noise
   // makes the spacings differ, samples would jump to and fro.

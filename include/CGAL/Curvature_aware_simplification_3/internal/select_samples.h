@@ -45,7 +45,7 @@ std::vector<Surface_sample> select_samples(const Clean_scan& scan, const Paramet
                                  {
     samples[i].point = scan.points[selected[i]];
     samples[i].spacing = lattice_spacing(wanted.density[wanted.ranges.range_of(selected[i])]);
-    samples[i].noise = scan.noise.at(selected[i]);
+    samples[i].noise = &scan.noise.at(selected[i]);
   });
   return samples;
 }
@@ -59,7 +59,7 @@ void place_on_surface(std::vector<Surface_sample>& samples, const Surface_fit& f
                                  [&](std::size_t i)
                                  {
     Surface_sample& x = samples[i];
-    x.place(fit.with(x.noise), x.point, NULL_VECTOR, rounds_to_move);
+    x.place(fit.with(*x.noise), x.point, NULL_VECTOR, rounds_to_move);
   });
 }
 

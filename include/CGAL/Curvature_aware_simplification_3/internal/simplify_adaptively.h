@@ -81,7 +81,7 @@ Distinct_samples simplify_adaptively(Cloud cloud, std::unique_ptr<Neighbor_searc
   report.selection_time = stopwatch.lap();
 
   // each sample has its own noise
-  const Surface_fit fit{*scan.search, scan.points.size(), Noise(), settings};
+  const Surface_fit fit{*scan.search, scan.points.size(), no_noise, settings};
   place_on_surface<ConcurrencyTag>(samples, fit, progress.part(0.5, 0.6));
   const Sample_neighbors neighbors =
       relax_on_surface<ConcurrencyTag>(samples, fit, parameters.number_of_iterations,

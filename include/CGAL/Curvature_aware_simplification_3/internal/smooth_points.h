@@ -130,7 +130,7 @@ Noise_levels smooth_points(std::vector<Point>& points, std::vector<double>& inve
                            const Noise_levels& noise, std::size_t number_of_samples,
                            const Adaptive_settings& settings, const Progress& progress)
 {
-  const Surface_fit fit{search, points.size(), Noise(), settings}; // each point has its own noise
+  const Surface_fit fit{search, points.size(), no_noise, settings}; // each point has its own noise
   Thinned_points thinned = thin_points<ConcurrencyTag>(inverse_density, noise, number_of_samples);
   const std::size_t kept = thinned.kept.size();
   std::vector<Point> smoothed(kept);
