@@ -8,6 +8,7 @@
 #include <CGAL/Curvature_aware_simplification_3/internal/median.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/sampling_density.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/select_along_curve.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/surface_curvature.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/surface_pieces.h>
 
 #include <Eigen/Core>
@@ -264,6 +265,25 @@ TEST(Sampling_density, of_a_noisy_plane_is_even)
   const Sampling_density wanted = density_of(cloud, 2000, 2. / 3., sigma);
   const auto range = std::minmax_element(wanted.density.begin(), wanted.density.end());
   EXPECT_LT(*range.second / *range.first, 1.5);
+}
+
+// lambda_0 is 4 sigma^2, of which noise explains one, and 2 sqrt(2 / 8) by chance; if points share it
+// so that they tell as much as half of them, 2 sqrt(2 / 4)
+TEST(Sampling_density, takes_less_for_curvature_where_points_share_their_noise)
+{
+  const Deviation deviation{0.04, 2., 0., 8., 1.};
+  const double sigma = 0.1, shared_sigma = std::sqrt(2.) * sigma;
+  const auto expect = [&](const Noise& noise, double squared_height, double possible)
+  {
+    const Local_curvature local = curvature_of(deviation, noise);
+    EXPECT_NEAR(local.curvature, std::sqrt(squared_height) / 2., 1e-12);
+    EXPECT_NEAR(local.possible_curvature, std::sqrt(possible) / 2., 1e-12);
+  };
+  expect(no_noise, 0.04, 0.04);
+  expect(Noise{sigma, sigma}, 0.02, 0.03);
+  expect(Noise{sigma, shared_sigma}, 0.03 - 0.01 * std::sqrt(2.), 0.03);
+  expect(Noise{sigma, 0.5 * sigma}, 0.02, 0.03);
+  expect(Noise{sigma, 4. * sigma}, 0., 0.04);
 }
 
 std::vector<std::size_t> selected_along_curve(const std::vector<double>& weight, std::size_t number,

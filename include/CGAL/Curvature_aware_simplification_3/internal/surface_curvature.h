@@ -73,13 +73,18 @@ struct Local_curvature
 
 // From how far the points around are off a plane. Beyond the noise, and two standard deviations of
 // what the points say of it, so that noise alone is taken for flat. But it may hide so much.
-inline Local_curvature curvature_of(const Deviation& deviation, double sigma)
+//
+// Of n independent points, that standard deviation is sigma^2 sqrt(2 / n). Points that share their
+// noise, as smoothed ones do, say as little as n sigma^2 / sigma_i^2 of those, whose mean errs as
+// much as that of n points with independent noise sigma_i.
+inline Local_curvature curvature_of(const Deviation& deviation, const Noise& noise)
 {
   if (!(deviation.trace > 0.))
     return Local_curvature();
-  const double variance = sigma * sigma;
+  const double variance = noise.level * noise.level;
   const double signal = deviation.squared_height - variance;
-  const double hidden = 2. * variance * std::sqrt(2. / deviation.number);
+  const double hidden = 2. * noise.level * (std::max)(noise.level, noise.independent_level) *
+                        std::sqrt(2. / deviation.number);
   return {std::sqrt((std::max)(signal - hidden, 0.)) / deviation.trace,
           std::sqrt((std::max)(signal, hidden)) / deviation.trace};
 }
@@ -115,20 +120,20 @@ Surface_curvature surface_curvature(const std::vector<Point>& points,
 
   Surface_curvature result(ranges);
   std::vector<Point> centers(ranges.number);
-  std::vector<double> sigma(ranges.number);
+  std::vector<const Noise*> noise_of_range(ranges.number);
   std::vector<std::size_t> number_of_pieces(ranges.number);
   for_each_index<ConcurrencyTag>(0, ranges.number,
                                  [&](std::size_t i)
                                  {
     const std::size_t middle = ranges.first_point(i) + ranges.size(i) / 2;
     centers[i] = points[middle];
-    sigma[i] = noise.at(middle).level;
+    noise_of_range[i] = &noise.at(middle);
     for (std::size_t piece = pieces_in_range * i; piece < pieces_in_range * (i + 1); ++piece)
       result.area[i] += pieces[piece].area;
     const double in_range = static_cast<double>(pieces_in_range);
-    const std::size_t wanted =
-        pieces_in_ball((std::max)(settings.curvature_radius * spacing, 3. * sigma[i]),
-                       result.area[i] / in_range, static_cast<double>(ranges.size(i)) / in_range);
+    const std::size_t wanted = pieces_in_ball(
+        (std::max)(settings.curvature_radius * spacing, 3. * noise_of_range[i]->level),
+        result.area[i] / in_range, static_cast<double>(ranges.size(i)) / in_range);
     number_of_pieces[i] = (std::min)(wanted, pieces.size());
   });
   const Surface_balls balls(centers, pieces, number_of_pieces, progress, ConcurrencyTag());
@@ -138,7 +143,7 @@ Surface_curvature surface_curvature(const std::vector<Point>& points,
                                  {
     const Deviation deviation =
         deviation_from_plane(pieces, balls.of(i), centers[i], coordinate_error);
-    const Local_curvature local = curvature_of(deviation, sigma[i]);
+    const Local_curvature local = curvature_of(deviation, *noise_of_range[i]);
     result.curvature[i] = local.curvature;
     result.possible_curvature[i] = local.possible_curvature;
     result.area_of_point[i] = area_of_point(deviation);
