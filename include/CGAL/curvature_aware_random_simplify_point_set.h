@@ -181,11 +181,14 @@ curvature_aware_random_simplify_point_set(const PointRange& points, OutputIterat
   auto next = selected.begin();
   for (const auto& element : points)
   {
-    if (next != selected.end() && *next == i++)
+    if (next == selected.end())
+      break;
+    if (*next == i)
     {
       *output++ = element;
       ++next;
     }
+    ++i;
   }
   return output;
 }

@@ -29,7 +29,7 @@ std::vector<std::uint8_t> outliers_of(const Cloud& cloud, std::size_t k = 16)
 {
   const Neighbor_search search(cloud.points, Tag());
   return find_outliers<Tag>(cloud, search, shared_features_of(cloud, search, k), k,
-                            Adaptive_settings());
+                            Adaptive_settings(), Progress(no_callback));
 }
 
 bool are_far_points_dense_in(const Cloud& cloud)
@@ -272,8 +272,9 @@ TEST(Outliers, do_not_depend_on_the_unit_for_any_number_of_neighbors)
         scaled.push_back(CGAL::ORIGIN + unit * (p - CGAL::ORIGIN));
       const Cloud cloud = make_cloud<Tag>(scaled, 1e-16);
       const Neighbor_search search(cloud.points, Tag());
-      const std::vector<std::uint8_t> is_outlier = find_outliers<Tag>(
-          cloud, search, shared_features_of(cloud, search, k), k, Adaptive_settings());
+      const std::vector<std::uint8_t> is_outlier =
+          find_outliers<Tag>(cloud, search, shared_features_of(cloud, search, k), k,
+                             Adaptive_settings(), Progress(no_callback));
       return std::count(is_outlier.begin(), is_outlier.end(), 1);
     };
     const auto expected = number_of_outliers(1.);
@@ -566,7 +567,8 @@ TEST(Outliers, are_no_neighbors_once_they_are_removed)
     const std::vector<Point> all = cloud.points;
     std::unique_ptr<Neighbor_search> search(new Neighbor_search(all, Tag()));
     Shared_features shared = shared_features_of(cloud, *search);
-    remove_outliers<Tag>(cloud, search, shared, 16, 100, Adaptive_settings());
+    remove_outliers<Tag>(cloud, search, shared, 16, 100, Adaptive_settings(),
+                         Progress(no_callback));
     EXPECT_LT(cloud.size(), all.size());
     EXPECT_GT(cloud.size(), 19900u);
     EXPECT_EQ(shared.features.surface_variation.size(), cloud.size());

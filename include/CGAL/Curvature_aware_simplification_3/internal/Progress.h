@@ -26,6 +26,7 @@ class Progress
 {
 public:
   explicit Progress(const std::function<bool(double)>& callback) : Progress(callback, 0., 1.) {}
+  explicit Progress(std::function<bool(double)>&&) = delete; // it is referred to
 
   bool is_observed() const { return static_cast<bool>(m_callback); }
 

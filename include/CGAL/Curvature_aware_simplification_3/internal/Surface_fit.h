@@ -30,6 +30,8 @@ struct Surface_fit
   {
     return {search, number_of_points, noise_there, settings};
   }
+  Surface_fit with(Noise&&) const = delete; // it is referred to
+
   bool points_share_noise() const { return noise.level < noise.independent_level; }
 };
 

@@ -25,7 +25,7 @@ struct Surface_sample
   Surface_border border;
   double a = 0., b = 0.;          // position on the surface
   double spacing = 0.;            // wanted distance to its neighbors, s
-  const Noise* noise = &no_noise; // of the input around
+  const Noise* noise = &no_noise; // of the input around, of the levels of the scan
   Point point = Point(0., 0., 0.);
 
   Vector normal() const { return surface.normal(a, b); }

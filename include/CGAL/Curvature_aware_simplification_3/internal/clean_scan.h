@@ -98,8 +98,8 @@ Clean_scan clean_scan(Cloud cloud, std::unique_ptr<Neighbor_search> search,
   cloud.duplicates = std::vector<Duplicate>();
   std::size_t outliers_found = 0;
   if (settings.find_outliers)
-    outliers_found =
-        remove_outliers<ConcurrencyTag>(cloud, search, shared, k, number_of_samples, settings);
+    outliers_found = remove_outliers<ConcurrencyTag>(cloud, search, shared, k, number_of_samples,
+                                                     settings, progress.part(0.6, 0.7));
   progress.report(0.7);
   report.number_of_outliers = distinct - cloud.size();
   report.outliers_time = stopwatch.lap();
@@ -134,12 +134,14 @@ Clean_scan clean_scan(Cloud cloud, std::unique_ptr<Neighbor_search> search,
                                         settings);
     scan.noise = smooth_points<ConcurrencyTag>(scan.points, scan.inverse_density, scan.is_bent,
                                                *scan.search, scan.noise, number_of_samples,
-                                               settings, progress.part(0.75, 1.));
+                                               settings, progress.part(0.75, 0.95));
     scan.search.reset(); // two trees at once would take the most memory of the call
     scan.search = std::make_unique<Neighbor_search>(scan.points, ConcurrencyTag());
+    progress.report(0.96);
     // Noise carries points apart: in a layer of half a spacing of the samples, the area of the
     // surface looked twice as large. Frames put them on top of each other, and it looked smaller.
-    scan.inverse_density = inverse_densities<ConcurrencyTag>(scan.points, *scan.search, k);
+    scan.inverse_density =
+        inverse_densities<ConcurrencyTag>(scan.points, *scan.search, k, progress.part(0.96, 1.));
     scan.spacing_of_samples =
         lattice_spacing(static_cast<double>(number_of_samples) /
                         area_of_surface<ConcurrencyTag>(scan.inverse_density));

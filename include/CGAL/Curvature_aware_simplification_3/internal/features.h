@@ -9,6 +9,7 @@
 #include <CGAL/Curvature_aware_simplification_3/internal/Cloud.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Covariance_sums.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Neighbor_search.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/Progress.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/loops.h>
 
 #include <algorithm>
@@ -127,11 +128,11 @@ Features compute_features(const Cloud& cloud, const Neighbor_search& search,
 template <typename ConcurrencyTag>
 std::vector<double> inverse_densities(const std::vector<Point>& points,
                                       const Neighbor_search& search,
-                                      std::size_t number_of_neighbors)
+                                      std::size_t number_of_neighbors, const Progress& progress)
 {
   const std::size_t size = neighborhood_size(number_of_neighbors, points.size());
   std::vector<double> result(points.size());
-  for_each_index<ConcurrencyTag>(0, points.size(),
+  for_each_index<ConcurrencyTag>(points.size(), progress,
                                  [&](std::size_t i)
                                  {
     double squared_radius = 0.;

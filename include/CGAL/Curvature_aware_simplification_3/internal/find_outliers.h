@@ -10,6 +10,7 @@
 #include <CGAL/Curvature_aware_simplification_3/internal/Cloud.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Neighbor_search.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Outlier_votes.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/Progress.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/connected_surfaces.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/dense_outliers.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/features.h>
@@ -90,7 +91,7 @@ inline bool are_few_against(std::size_t second, std::size_t first)
 template <typename ConcurrencyTag>
 std::vector<std::uint8_t> find_outliers(const Cloud& cloud, const Neighbor_search& search,
                                         const Shared_features& shared, std::size_t k,
-                                        const Adaptive_settings& settings)
+                                        const Adaptive_settings& settings, const Progress& progress)
 {
   const ConcurrencyTag tag;
   std::vector<std::uint8_t> is_outlier(cloud.size(), 0);
@@ -103,11 +104,14 @@ std::vector<std::uint8_t> find_outliers(const Cloud& cloud, const Neighbor_searc
   const bool are_dense = are_far_points_dense<ConcurrencyTag>(shared.features, sparseness);
   Outlier_votes votes(cloud, search, shared, k, sparseness, are_dense, settings, is_outlier, tag);
   const std::size_t number_with_few_votes = votes.mark_few(tag).size();
+  progress.report(0.2);
   votes.trust(mark_far_points<ConcurrencyTag>(cloud, search, shared.features, k, sparseness,
                                               number_with_few_votes, are_dense, settings,
                                               is_outlier),
               tag);
+  progress.report(0.5);
   votes.take_back(marked(), tag);
+  progress.report(0.7);
   if (settings.find_clusters)
   {
     const std::vector<std::size_t> found =
@@ -115,6 +119,7 @@ std::vector<std::uint8_t> find_outliers(const Cloud& cloud, const Neighbor_searc
             .points<ConcurrencyTag>();
     votes.mark(found, tag);
   }
+  progress.report(0.9);
   if (is_more_than_a_few(number_with_few_votes, cloud.size()))
   {
     const std::vector<std::size_t> hidden = votes.less_than_half(tag);

@@ -9,6 +9,7 @@
 #include <CGAL/Curvature_aware_simplification_3/internal/Adaptive_settings.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Cloud.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Neighbor_search.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/Progress.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/features.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/find_outliers.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/prefix_sums.h>
@@ -31,11 +32,11 @@ namespace internal {
 template <typename ConcurrencyTag>
 std::size_t remove_outliers(Cloud& cloud, std::unique_ptr<Neighbor_search>& search,
                             Shared_features& shared, std::size_t k, std::size_t number_of_samples,
-                            const Adaptive_settings& settings)
+                            const Adaptive_settings& settings, const Progress& progress)
 {
   const std::size_t n = cloud.size();
   std::vector<std::uint8_t> is_outlier =
-      find_outliers<ConcurrencyTag>(cloud, *search, shared, k, settings);
+      find_outliers<ConcurrencyTag>(cloud, *search, shared, k, settings, progress.part(0., 0.8));
   shared.votes = std::vector<std::uint32_t>();
   shared.represented = std::vector<std::uint8_t>();
   std::vector<std::size_t> kept =
