@@ -4,7 +4,8 @@
 #   scripts/benchmark.sh [quick|igea|full [OPTION...]]
 #
 # quick: three inputs, no search for settings, no external programs; under 5 minutes on two cores.
-# igea: the model of the paper's Table 1 in six conditions, if it is in ../shared/data; about an hour.
+# igea: the model of the paper's Table 1 in six conditions, if it is in the folder given with
+#   --shared; about an hour.
 # full: all, several hours.
 # Options are those of benchmark.py: after a change of this package, --rerun "this package" takes the
 # results of the others from the last run.

@@ -45,8 +45,9 @@ input:
 -# Unless there are many outliers, samples whose fits miss the nearest points, as on thin parts, by more than noise
    explains move to these. Samples next to a sharp edge move onto it, and those next to a corner of a border into it.
 
-Of fewer than 57 distinct points, outliers not counted, which no fit tells the surface of, some are selected evenly along the
-space-filling curve and none is moved; of the parameters, only the number of points and the seed matter.
+With the defaults, of fewer than 57 distinct points, outliers not counted, which no fit tells the
+surface of, some are selected evenly along the space-filling curve and none is moved; of the
+parameters, only the number of points and the seed matter.
 
 What was found is told by `simplification_report`. The manual has the details.
 

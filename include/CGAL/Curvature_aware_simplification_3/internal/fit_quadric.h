@@ -108,7 +108,8 @@ inline bool fit_quadric(const Neighborhood& neighborhood, double noise, Local_su
     surface.c[i] = c(i) * (i == 0 ? unit : i < 3 ? 1. : scale);
   set_extent(m00, m10, m01, m20, m11, m02, unit, surface);
   // var(c0) = sigma^2 (A^-1 B A^-1)_00 with A = sum w b b', B = sum w^2 b b', taken as A times the
-  // mean weight
+  // mean weight: 8 to 11 % too small a deviation. The exact one takes 4 % more of a noisy call, for
+  // the same errors of the mesh.
   surface.amplification = std::sqrt((std::max)(influence, 0.) * sum_of_squares / sum);
   surface.error = noise * surface.amplification;
   return true;

@@ -53,8 +53,8 @@ public:
                                    [&](std::size_t i) { m_squared_reach[i] = squared_reach(i); });
   }
 
-  // All their points. O(k log n) for each place where the Hilbert curve jumps between points that
-  // are not flat
+  // All their points. Components are searched from the places where the Hilbert curve jumps between
+  // points that are not flat; up to 8 k points of each are visited, which takes O(k + log n) each.
   template <typename ConcurrencyTag>
   std::vector<std::size_t> points() const
   {

@@ -52,10 +52,10 @@ inline double variance_of_residuals(const Neighborhood& neighborhood, const Loca
   return sum_of_residuals / sum * n / (std::max)(n - 6., 1.);
 }
 
-// How much of the way from a point to the foot point brings it nearer to the surface, as in Lee's
-// filter for images: sigma^2 / s^2, where s^2 is the variance of the residuals, or 1 where that is
-// no more than noise by chance. On a sharp edge, a quadric is off by as much as they are, and the
-// point itself by sigma only.
+// How much of the way from a point to the foot point brings it nearer to the surface: 1 where the
+// variance s^2 of the residuals is no more than noise by chance, f sigma^2; beyond, f sigma^2 / s^2,
+// which is f times the gain of Lee's filter for images, so that there is no jump. On a sharp edge,
+// a quadric is off by as much as they are, and the point itself by sigma only.
 inline double share_explained_by_noise(const Surface_fit& fit, double residual_variance)
 {
   const double explained =
