@@ -51,8 +51,9 @@ parameters, only the number of points and the seed matter.
 
 What was found is told by `simplification_report`. The manual has the details.
 
-The result does not depend on the unit or the origin of the coordinates (but where distances are
-equal, as on regular grids, and rounding decides), nor on the order of the points (but for which
+The result does not depend on the unit or the origin of the coordinates (but where rounding decides:
+between equal distances, as on regular grids, or whether a point is an outlier, by which other
+samples, as good, may be selected), nor on the order of the points (but for which
 duplicates are returned, if more points are asked for than are distinct), and is the same, bit by
 bit, for the same input and seed, whatever the concurrency tag and the number of threads. The input
 is neither changed nor reordered. With \f$M\f$ input and \f$N\f$ output points, the time is \f$O(M (\log M + k) + i N \log M)\f$ for \f$i\f$ iterations, the memory

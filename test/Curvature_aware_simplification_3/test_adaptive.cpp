@@ -100,6 +100,36 @@ TEST(Adaptive, lies_on_a_curve)
   }
 }
 
+// Of a closed curve, a fit to nearly all points is as wide as a surface: samples were up to five of
+// their spacings off it. And the points next to one were taken for a column of them, which rises from
+// the plane of the whole curve, and the quarter of its radius for noise: up to eight spacings.
+TEST(Adaptive, lies_on_a_closed_curve)
+{
+  for (const auto& [size, wave] : {std::make_pair(300, 0.), std::make_pair(1000, 0.3),
+                                   std::make_pair(1000, 0.), std::make_pair(4000, 0.3)})
+    for (int part : {2, 4, 20})
+    {
+      const int count = size / part;
+      std::vector<Point> points, curve;
+      for (int i = 0; i < 100 * size; ++i)
+      {
+        const double t = 2. * CGAL_PI * i / (100. * size);
+        curve.emplace_back(std::cos(t), std::sin(t), wave * std::sin(2. * t));
+        if (i % 100 == 0)
+          points.push_back(curve.back());
+      }
+      const Neighbor_search search(curve, Tag());
+      const double spacing = 2. * CGAL_PI / count; // about
+      CGAL::Curvature_aware_simplification_report report;
+      for (const Point& p :
+           simplified(points, np::number_of_output_points(static_cast<std::size_t>(count))
+                                  .simplification_report(std::ref(report))))
+        EXPECT_LT(std::sqrt(CGAL::squared_distance(p, search.nearest(p))), 1.5 * spacing)
+            << size << ' ' << wave << ' ' << count;
+      EXPECT_LT(report.noise_level, CGAL_PI / size); // half a spacing of the points
+    }
+}
+
 // Depth cameras round depth to steps. These were taken for faces, and no noise was found: samples
 // were off the surface by as much as the points.
 TEST(Adaptive, lies_on_a_surface_whose_depth_was_rounded)

@@ -49,6 +49,9 @@ public:
     m_tree.template build<ConcurrencyTag>();
   }
 
+  // with hidden points
+  std::size_t size() const { return m_tree.size(); }
+
   // From now on, points with is_hidden[index] != 0 are no neighbors. As long as they are few, that
   // takes less time than a new tree.
   void hide(std::vector<std::uint8_t> is_hidden)

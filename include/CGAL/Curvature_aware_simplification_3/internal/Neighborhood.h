@@ -98,6 +98,18 @@ struct Neighborhood
 
   std::size_t size() const { return neighbors.size(); }
 
+  // Whether the neighbors are along a curve, however it bends: half of those are in the inner half
+  // of the ball, of a surface only a quarter. The center is on it.
+  bool is_along_curve() const
+  {
+    constexpr double between = 3. / 8.;
+    const double squared_radius = radius * radius / 4.;
+    const auto inner = std::count_if(neighbors.begin(), neighbors.end(),
+                                     [&](const Neighbor& neighbor)
+                                     { return neighbor.squared_distance < squared_radius; });
+    return static_cast<double>(inner) > between * static_cast<double>(size());
+  }
+
   // the neighbor nearest to x; there is at least one
   Point nearest(const Point& x) const
   {

@@ -31,18 +31,23 @@ inline constexpr std::size_t points_around_column = 68;
 struct Column
 {
   double radius = 0.; // of the ball of k points
-  double rise =
-      0.; // of the line over their plane: the sine of the angle; 0 if the few are on no line
+  // of the line over their plane: the sine of the angle; 0 if the few are on no line, or the k on a
+  // curve, whose parts rise from the plane of many
+  double rise = 0.;
 };
 
 inline Column column_at(const Neighbor_search& search, const Point& place, std::size_t k)
 {
   constexpr std::size_t few = 3; // of five frames, five points are often of two columns
+  // of half as many, so many may be in the column of the place that they look like a curve
+  constexpr std::size_t enough_for_curve = 4 * points_around_column;
   const Nearest_line line = nearest_line(search, place, few);
   static thread_local Neighborhood neighborhood;
   neighborhood.collect(search, place, k);
+  const bool is_on_curve = k >= enough_for_curve && neighborhood.is_along_curve();
+  const bool may_rise = line.holds_them() && !is_on_curve;
   return {neighborhood.radius,
-          line.holds_them() ? std::abs(line.direction * plane_normal(neighborhood)) : 0.};
+          may_rise ? std::abs(line.direction * plane_normal(neighborhood)) : 0.};
 }
 
 // The medians of these, of some ranges; those of others are left empty
@@ -72,6 +77,9 @@ std::vector<double> find_columns(const Noise_probes& probes, const std::vector<s
 {
   constexpr double steep = 0.3; // lines of a scan are in the surface
   constexpr double flat = 1e-3;
+  std::vector<double> radii(probes.of_range.size(), 0.);
+  if (2 * around > search.size()) // they are the scan, and not a part of its surface
+    return radii;
   std::vector<std::size_t> suspects; // elsewhere, k points are enough, and there is nothing to ask
   std::copy_if(ranges.begin(), ranges.end(), std::back_inserter(suspects),
                [&](std::size_t range)
@@ -81,7 +89,6 @@ std::vector<double> find_columns(const Noise_probes& probes, const std::vector<s
   });
   const std::vector<Column> columns =
       median_columns<ConcurrencyTag>(probes, suspects, search, around);
-  std::vector<double> radii(probes.of_range.size(), 0.);
   for (std::size_t range : suspects)
     if (columns[range].rise > steep)
       radii[range] = columns[range].radius;

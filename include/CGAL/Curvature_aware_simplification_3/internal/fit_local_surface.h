@@ -26,7 +26,9 @@ inline Local_surface fit_local_surface(const Surface_fit& fit, const Point& x, c
                                        const Local_surface& last, int rounds,
                                        Neighborhood& neighborhood)
 {
-  const std::size_t largest = (std::min)(largest_neighborhood, fit.number_of_points);
+  // More than a third of all points may be as wide as a surface where a curve is closed.
+  const std::size_t largest =
+      (std::min)(largest_neighborhood, (std::max)(smallest_neighborhood, fit.number_of_points / 3));
   Vector guess = normal;
   bool is_curve = last.is_curve;
   bool turns = false;

@@ -82,17 +82,11 @@ inline double width_across_parabola(const Neighborhood& neighborhood, const Loca
   return neighborhood.radius * std::sqrt((std::max)(left, 0.) / matrix(0, 0));
 }
 
-// Whether the neighbors are on one line that bends. Those on a line that bends more than a parabola
-// tells are half in the inner half of the ball, of a surface only a quarter; with as few as 19,
-// chance would decide. The neighbors are left weighted by their distance.
+// Whether the neighbors are on one line that bends, maybe more than a parabola tells: with as few as
+// 19, chance would decide. The neighbors are left weighted by their distance.
 inline bool is_on_bent_line(Neighborhood& neighborhood, const Local_surface& surface)
 {
-  constexpr double between = 3. / 8.;
-  const double squared_radius = neighborhood.radius * neighborhood.radius / 4.;
-  const auto inner = std::count_if(neighborhood.neighbors.begin(), neighborhood.neighbors.end(),
-                                   [&](const Neighborhood::Neighbor& neighbor)
-                                   { return neighbor.squared_distance < squared_radius; });
-  if (static_cast<double>(inner) > between * static_cast<double>(neighborhood.size()))
+  if (neighborhood.is_along_curve())
     return true;
   neighborhood.weight_by_distance();
   return width_across_parabola(neighborhood, surface) < least_breadth * surface.length;
