@@ -49,7 +49,7 @@ public:
     m_tree.template build<ConcurrencyTag>();
   }
 
-  // with hidden points
+  // the number of points, of hidden ones too
   std::size_t size() const { return m_tree.size(); }
 
   // From now on, points with is_hidden[index] != 0 are no neighbors. As long as they are few, that
