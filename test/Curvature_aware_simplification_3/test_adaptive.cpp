@@ -101,8 +101,8 @@ TEST(Adaptive, lies_on_a_curve)
 }
 
 // Of a closed curve, a fit to nearly all points is as wide as a surface: samples were up to five of
-// their spacings off it. And the points next to one were taken for a column of them, which rises from
-// the plane of the whole curve, and the quarter of its radius for noise: up to eight spacings.
+// their spacings off it. And the points next to one were taken for a column of them, which rises
+// from the plane of the whole curve, and the quarter of its radius for noise: up to eight spacings.
 TEST(Adaptive, lies_on_a_closed_curve)
 {
   for (const auto& [size, wave] : {std::make_pair(300, 0.), std::make_pair(1000, 0.3),

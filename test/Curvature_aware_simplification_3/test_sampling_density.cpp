@@ -267,8 +267,8 @@ TEST(Sampling_density, of_a_noisy_plane_is_even)
   EXPECT_LT(*range.second / *range.first, 1.5);
 }
 
-// lambda_0 is 4 sigma^2, of which noise explains one, and 2 sqrt(2 / 8) by chance; if points share it
-// so that they tell as much as half of them, 2 sqrt(2 / 4)
+// lambda_0 is 4 sigma^2, of which noise explains one, and 2 sqrt(2 / 8) by chance; if points share
+// it so that they tell as much as half of them, 2 sqrt(2 / 4)
 TEST(Sampling_density, takes_less_for_curvature_where_points_share_their_noise)
 {
   const Deviation deviation{0.04, 2., 0., 8., 1.};

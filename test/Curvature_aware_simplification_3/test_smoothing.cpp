@@ -118,16 +118,18 @@ TEST(Smoothing_radius, is_less_where_noise_is_strong_against_the_spacing_of_the_
 
 TEST(Smoothing_radius, balances_what_fits_miss_and_the_noise_that_they_leave)
 {
-  EXPECT_DOUBLE_EQ(factor_of_radius({{2., 1.}}, {0}),
-                   1.); // (q - v) / v = 1, 27, 1/8, and less than that
+  const double most = std::sqrt(2.);
+  // (q - v) / v = 1, 27, 1/8, and less than that
+  EXPECT_DOUBLE_EQ(factor_of_radius({{2., 1.}}, {0}), 1.);
   EXPECT_DOUBLE_EQ(factor_of_radius({{28., 1.}}, {0}), 1. / std::sqrt(3.));
-  EXPECT_DOUBLE_EQ(factor_of_radius({{1.125, 1.}}, {0}), std::sqrt(2.));
-  EXPECT_DOUBLE_EQ(factor_of_radius({{1.0625, 1.}}, {0}), std::sqrt(2.));
-  EXPECT_DOUBLE_EQ(factor_of_radius({{0., 1.}}, {0}), std::sqrt(2.));
-  EXPECT_DOUBLE_EQ(factor_of_radius({{1e9, 0.01}}, {0}), std::pow(49., -1. / 6.)); // another sheet
-  EXPECT_DOUBLE_EQ(factor_of_radius({{3., 2.}, {1e9, 0.}, {3., 1.}, {1e9, 1.}}, {0, 1, 2}),
-                   1.);                                                 // by sums
-  EXPECT_DOUBLE_EQ(factor_of_radius({{0., 0.}, {0., 0.}}, {0, 1}), 1.); // unknown
+  EXPECT_DOUBLE_EQ(factor_of_radius({{1.125, 1.}}, {0}), most);
+  EXPECT_DOUBLE_EQ(factor_of_radius({{1.0625, 1.}}, {0}), most);
+  EXPECT_DOUBLE_EQ(factor_of_radius({{0., 1.}}, {0}), most);
+  // another sheet
+  EXPECT_DOUBLE_EQ(factor_of_radius({{1e9, 0.01}}, {0}), std::pow(49., -1. / 6.));
+  // by sums, of what is known
+  EXPECT_DOUBLE_EQ(factor_of_radius({{3., 2.}, {1e9, 0.}, {3., 1.}, {1e9, 1.}}, {0, 1, 2}), 1.);
+  EXPECT_DOUBLE_EQ(factor_of_radius({{0., 0.}, {0., 0.}}, {0, 1}), 1.);
   EXPECT_DOUBLE_EQ(factor_of_radius({{9., 1.}}, {}), 1.);
 }
 

@@ -26,7 +26,8 @@ inline Local_surface fit_local_surface(const Surface_fit& fit, const Point& x, c
                                        const Local_surface& last, int rounds,
                                        Neighborhood& neighborhood)
 {
-  // More than a third of all points may be as wide as a surface where a curve is closed.
+  // More than a third of all points do not tell what is between them (see fewest_points_to_fit):
+  // those of a closed curve are as wide as a surface.
   const std::size_t largest =
       (std::min)(largest_neighborhood, (std::max)(smallest_neighborhood, fit.number_of_points / 3));
   Vector guess = normal;
