@@ -743,6 +743,28 @@ TEST(Scan, finds_indices_in_order)
   EXPECT_EQ(elements_at<Tag>({2, 0}, std::vector<int>{7, 8, 9}), (std::vector<int>{9, 7}));
 }
 
+TEST(Scan, keeps_elements_in_place)
+{
+  for (std::size_t size : {0u, 1u, 4097u, 900001u})
+  {
+    std::vector<std::size_t> kept;
+    for (std::size_t i = 0; i < size; ++i)
+      if (i % 7 != 3 && i / 4096 != 2)
+        kept.push_back(i);
+    std::vector<std::size_t> elements(size), sequential(size);
+    for (std::size_t i = 0; i < size; ++i)
+      elements[i] = sequential[i] = 3 * i + 1;
+    const std::size_t* memory = elements.data();
+    keep_elements<Tag>(kept, elements);
+    keep_elements<CGAL::Sequential_tag>(kept, sequential);
+    EXPECT_EQ(elements.data(), memory);
+    ASSERT_EQ(elements.size(), kept.size());
+    for (std::size_t i = 0; i < kept.size(); ++i)
+      ASSERT_EQ(elements[i], 3 * kept[i] + 1);
+    EXPECT_EQ(sequential, elements);
+  }
+}
+
 TEST(Scan, sums_up)
 {
   for (std::size_t size : {0u, 1u, 4096u, 4097u, 100003u})

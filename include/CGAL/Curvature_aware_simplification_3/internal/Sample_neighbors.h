@@ -36,6 +36,7 @@ public:
   template <typename ConcurrencyTag>
   void search(const std::vector<Point>& samples, std::size_t number, const ConcurrencyTag& tag)
   {
+    m_indices = std::vector<std::size_t>(); // not at the same time as the tree and the new ones
     const Neighbor_search neighbor_search(samples, tag);
     const std::size_t n = samples.size();
     m_number = (std::min)({number, most, n - 1});

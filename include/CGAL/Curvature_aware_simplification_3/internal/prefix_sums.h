@@ -54,6 +54,24 @@ std::vector<T> elements_at(const std::vector<std::size_t>& indices, const std::v
   return result;
 }
 
+// Keeps the elements at some indices, which are in order, in the memory that they have: a part at a
+// time, which is read as a whole before it is written, over elements that no later part reads
+template <typename ConcurrencyTag, typename T>
+void keep_elements(const std::vector<std::size_t>& indices, std::vector<T>& elements)
+{
+  constexpr std::size_t size_of_part = 64 * block_size; // enough for many threads to share
+  std::vector<T> part((std::min)(size_of_part, indices.size()));
+  for (std::size_t begin = 0; begin < indices.size(); begin += size_of_part)
+  {
+    const std::size_t end = (std::min)(indices.size(), begin + size_of_part);
+    for_each_index<ConcurrencyTag>(begin, end,
+                                   [&](std::size_t i) { part[i - begin] = elements[indices[i]]; });
+    for_each_index<ConcurrencyTag>(begin, end,
+                                   [&](std::size_t i) { elements[i] = part[i - begin]; });
+  }
+  elements.resize(indices.size());
+}
+
 // Replaces each value, none of them negative, by the sum of all up to it. The sums do not fall:
 // where one block ends, rounding may put its last sum above what the next one starts from.
 template <typename ConcurrencyTag>

@@ -56,10 +56,9 @@ std::size_t remove_outliers(Cloud& cloud, std::unique_ptr<Neighbor_search>& sear
   else
     search.reset();
   is_outlier = std::vector<std::uint8_t>();
-  cloud.points = elements_at<ConcurrencyTag>(kept, cloud.points);
-  Features& features = shared.features;
-  features.surface_variation = elements_at<ConcurrencyTag>(kept, features.surface_variation);
-  features.inverse_density = elements_at<ConcurrencyTag>(kept, features.inverse_density);
+  keep_elements<ConcurrencyTag>(kept, cloud.points);
+  keep_elements<ConcurrencyTag>(kept, shared.features.surface_variation);
+  keep_elements<ConcurrencyTag>(kept, shared.features.inverse_density);
   kept = std::vector<std::size_t>();
   if (!are_few)
     search = std::make_unique<Neighbor_search>(cloud.points, ConcurrencyTag());
