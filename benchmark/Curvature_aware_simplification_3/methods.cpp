@@ -226,7 +226,7 @@ Setting with_parameters(const std::string& parameters)
   set("curvature_radius", settings.curvature_radius);
   set("least_curvature", settings.least_curvature);
   set("average_curvature", settings.average_curvature);
-  set("densest_in_sparse_regions", settings.densest_in_sparse_regions);
+  set("densest", settings.densest);
   set("reach_of_repulsion", settings.reach_of_repulsion);
   set("smooth_points", settings.smooth_points);
   set("smooth_by_shape", settings.smooth_by_shape);

@@ -3,10 +3,12 @@
 #include "inputs.h"
 
 #include <CGAL/Curvature_aware_simplification_3/internal/Cloud.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/Curve_ranges.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Neighbor_search.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/features.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/median.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/sampling_density.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/scale_to_number.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/select_along_curve.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/surface_curvature.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/surface_pieces.h>
@@ -65,6 +67,33 @@ TEST(Sampling_density, tends_to_uniform_with_alpha)
     last = *range.second / *range.first;
   }
   EXPECT_NEAR(last, 1., 1e-9);
+}
+
+// Five ranges of 100 points and area 1, with at most 85 samples: how many each gets
+std::vector<double> samples_of_ranges(std::vector<double> wanted, double number)
+{
+  scale_to_number<Tag>(wanted, number, Curve_ranges{5, 500}, std::vector<double>(5, 1.), 0.85);
+  return wanted;
+}
+
+void expect_samples(const std::vector<double>& samples, const std::vector<double>& expected)
+{
+  for (std::size_t i = 0; i < expected.size(); ++i)
+    EXPECT_NEAR(samples[i], expected[i], 1e-9 * expected[i]) << i;
+}
+
+TEST(Sampling_density, gives_what_the_limit_takes_to_all_others)
+{
+  expect_samples(samples_of_ranges({3., 1., 1., 1., 1.}, 70.), {30., 10., 10., 10., 10.});
+  expect_samples(samples_of_ranges({60., 1., 1., 1., 2.}, 105.), {85., 4., 4., 4., 8.});
+  expect_samples(samples_of_ranges({1e12, 1e9, 1e6, 1e3, 1.}, 225.),
+                 {85., 85., 55e6 / 1001001., 55e3 / 1001001., 55. / 1001001.});
+}
+
+TEST(Sampling_density, exceeds_the_limit_alike_if_all_must)
+{
+  expect_samples(samples_of_ranges({1e12, 1., 5., 1e3, 1.}, 425.), {85., 85., 85., 85., 85.});
+  expect_samples(samples_of_ranges({1e12, 1., 5., 1e3, 1.}, 450.), {90., 90., 90., 90., 90.});
 }
 
 TEST(Sampling_density, takes_the_mean_over_the_ball_by_area)

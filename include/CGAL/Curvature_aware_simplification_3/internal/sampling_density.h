@@ -75,8 +75,7 @@ Sampling_density sampling_density(const std::vector<Point>& points,
     const double curvature = surface.curvature[i];
     density[i] = std::pow(curvature * curvature + least * least, alpha / 2.);
   });
-  scale_to_number<ConcurrencyTag>(density, number, ranges, surface.area, total_area,
-                                  settings.densest_in_sparse_regions);
+  scale_to_number<ConcurrencyTag>(density, number, ranges, surface.area, settings.densest);
   for_each_index<ConcurrencyTag>(
       0, ranges.number, [&](std::size_t i) { weight[i] = density[i] * surface.area_of_point[i]; });
   return {ranges, std::move(density), std::move(weight)};

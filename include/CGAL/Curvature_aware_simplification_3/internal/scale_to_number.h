@@ -18,39 +18,54 @@ namespace CGAL {
 namespace Curvature_aware_simplification_3 {
 namespace internal {
 
-// Scales a density so that its integral over the surface is `number`, but limits it: not more than
-// one sample for two input points, since a denser result could show no more than they do, unless a
-// uniform density asks for more: then up to `densest_in_sparse_regions` for each point. If all
+// Scales a density so that its integral over the surface is `number`, but to no more than `densest`
+// samples for each input point: a denser result could show no more than the points do. If all
 // together are asked for more than that, all get more.
+//
+// What the limit takes away goes to all others: with the limits L_i, areas A_i, and wanted densities
+// w_i, the scale t solves
+//   sum A_i min(t w_i, L_i) = number.
+// The sum is concave in t, so that the steps of Newton's method from t = 0 never pass the solution;
+// they have arrived when a step leaves no more ranges at their limits.
 template <typename ConcurrencyTag>
 void scale_to_number(std::vector<double>& density, double number, const Curve_ranges& ranges,
-                     const std::vector<double>& range_area, double total_area,
-                     double densest_in_sparse_regions)
+                     const std::vector<double>& range_area, double densest)
 {
-  constexpr double densest = 0.5;
+  const auto limit = [&](std::size_t i)
+  { return densest * static_cast<double>(ranges.size(i)) / range_area[i]; };
 
-  const auto factor = [&]
+  struct Samples
   {
-    return number / reduce_indices<ConcurrencyTag>(
-                        ranges.number, 0.,
-                        [&](std::size_t i) { return density[i] * range_area[i]; },
-                        std::plus<double>());
+    double limited, others; // the others at t = 1
   };
-  // What the limit takes away goes to all others; a second and third round settle it.
-  for (int round = 0; round < 3; ++round)
+  const auto sum = [](const Samples& a, const Samples& b) {
+    return Samples{a.limited + b.limited, a.others + b.others};
+  };
+  double scale = 0.;
+  for (;;)
   {
-    const double scale = factor();
-    for_each_index<ConcurrencyTag>(0, ranges.number,
-                                   [&](std::size_t i)
-                                   {
-      const double point_density = static_cast<double>(ranges.size(i)) / range_area[i];
-      const double limit = std::clamp(number / total_area, densest * point_density,
-                                      densest_in_sparse_regions * point_density);
-      density[i] = (std::min)(scale * density[i], limit);
-    });
+    const Samples samples = reduce_indices<ConcurrencyTag>(
+        ranges.number, Samples{0., 0.},
+        [&](std::size_t i)
+        {
+      return scale * density[i] < limit(i) ? Samples{0., density[i] * range_area[i]}
+                                           : Samples{limit(i) * range_area[i], 0.};
+        },
+        sum);
+    const double next = (number - samples.limited) / samples.others; // infinite if all are limited
+    if (!(next > scale))
+      break;
+    scale = next;
   }
-  const double scale = factor();
-  for_each_index<ConcurrencyTag>(0, ranges.number, [&](std::size_t i) { density[i] *= scale; });
+  for_each_index<ConcurrencyTag>(0, ranges.number,
+                                 [&](std::size_t i)
+                                 { density[i] = (std::min)(scale * density[i], limit(i)); });
+
+  const double all = reduce_indices<ConcurrencyTag>(
+      ranges.number, 0., [&](std::size_t i) { return density[i] * range_area[i]; },
+      std::plus<double>());
+  for_each_index<ConcurrencyTag>(0, ranges.number,
+                                 [&](std::size_t i) { density[i] *= number / all; });
 }
 
 } // namespace internal
