@@ -245,7 +245,8 @@ TEST(Correction, is_of_what_noise_does_not_explain)
 {
   Surface_sample x; // on a horizontal plane
   x.surface.origin = Point(0., 0., 0.);
-  x.surface.radius = x.spacing = 1.;
+  x.surface.radius = 1.;
+  x.spacing = 2.;
   Noise noise;
   noise.is_visible = true;
   x.noise = &noise;
@@ -258,8 +259,9 @@ TEST(Correction, is_of_what_noise_does_not_explain)
   EXPECT_FALSE(is_missed(x, Point(0.5, 0., 0.3)));
   noise.level = 0.01; // noise does not explain it, but any fit errs so much
   EXPECT_FALSE(is_missed(x, Point(0.5, 0., 0.09)));
-  x.spacing = 0.8; // samples that are nearer to each other than the fit is wide show it
+  x.spacing = 1.1; // samples that are nearly as near to each other as the fit is wide show it
   EXPECT_TRUE(is_missed(x, Point(0.5, 0., 0.09)));
+  EXPECT_FALSE(is_missed(x, Point(0.5, 0., 0.08)));
   x.spacing = 10.; // those that are far sparser than the points do not
   EXPECT_FALSE(is_missed(x, Point(0.5, 0., 0.09)));
 }
