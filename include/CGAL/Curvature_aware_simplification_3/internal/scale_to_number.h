@@ -59,7 +59,7 @@ void scale_to_number(std::vector<double>& density, double number, const Curve_ra
   }
   for_each_index<ConcurrencyTag>(0, ranges.number,
                                  [&](std::size_t i)
-                                 { density[i] = (std::min)(scale * density[i], limit(i)); });
+                                 { density[i] = (std::min)(limit(i), scale * density[i]); });
 
   const double all = reduce_indices<ConcurrencyTag>(
       ranges.number, 0., [&](std::size_t i) { return density[i] * range_area[i]; },
