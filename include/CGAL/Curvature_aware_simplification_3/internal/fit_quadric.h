@@ -130,9 +130,9 @@ bool fit_coefficients(const Neighborhood& neighborhood, double noise, Local_surf
   for (int i = 0; i < n; ++i)
     surface.c[i] = c(i) * (i == 0 ? unit : i < 3 ? 1. : 1. / unit);
   set_extent(without_penalty, unit, surface);
-  // var(c0) = sigma^2 (A^-1 B A^-1)_00 with B = sum w^2 f f^T, taken as A times the mean weight: 8 to
-  // 11 % too small a deviation. The exact one takes 4 % more of a noisy call, for the same errors of
-  // the mesh.
+  // var(c0) = sigma^2 (A^-1 B A^-1)_00 with B = sum w^2 f f^T, taken as A times the mean weight: 8
+  // to 11 % too small a deviation. The exact one takes 4 % more of a noisy call, for the same
+  // errors of the mesh.
   surface.amplification = std::sqrt(influence * equations.sum_of_squares / sum);
   surface.error = noise * surface.amplification;
   return true;
