@@ -145,6 +145,58 @@ TEST(Layers, that_hold_another_sheet)
   EXPECT_FALSE(holds_another_sheet({0.1, 7., 7., 0.}, {0.3, 10., 10., 0.})); // of a clean sheet
 }
 
+TEST(Layers, that_are_two_sheets)
+{
+  // thickness, width, length, kurtosis, middle: as measured in layers of 136 points
+  EXPECT_FALSE(are_two_sheets({1., 7., 7., -0.09, 0.38})); // Gaussian noise
+  EXPECT_FALSE(are_two_sheets({1., 7., 7., -0.54, 0.37})); // triangular
+  EXPECT_FALSE(are_two_sheets({1., 7., 7., -1.08, 0.30})); // uniform
+  EXPECT_TRUE(are_two_sheets({1., 7., 7., -0.89, 0.28}));  // two sheets 3 sigma apart
+  EXPECT_TRUE(are_two_sheets({1., 7., 7., -1.13, 0.23}));  // 3.8 sigma
+  EXPECT_TRUE(are_two_sheets({1., 7., 7., -1.62, 0.08}));  // 8 sigma
+}
+
+// Of Gaussian noise on two sheets at heights of 8 and -8, nothing is in the middle; of uniform noise
+// sqrt(3) / 6 = 0.289, of Gaussian 0.383.
+TEST(Layer_around_quadric, knows_the_share_of_heights_in_the_middle)
+{
+  constexpr std::size_t k = 544;
+  CGAL::Random random(3);
+  const std::vector<Point> square = surfaces::square(40000, 8);
+  const auto middle = [&](const auto& height)
+  {
+    std::vector<Point> points;
+    for (const Point& p : square)
+      points.emplace_back(2000. * p.x(), 2000. * p.y(), height());
+    const Neighbor_search search(points, Tag());
+    return Layer_around_quadric()(search, Point(1000., 1000., 0.), k).middle;
+  };
+  EXPECT_EQ(middle(
+                [&]
+                {
+    const double side = random.get_bool() ? 8. : -8.;
+    return side + surfaces::normal_deviate(random);
+  }),
+            0.);
+  EXPECT_NEAR(middle([&] { return random.uniform_real(-1., 1.); }), 0.289, 0.05);
+  EXPECT_NEAR(middle([&] { return surfaces::normal_deviate(random); }), 0.383, 0.05);
+}
+
+// Uniform noise was taken for two sheets, and half of it for their distance.
+TEST(Noise_level, of_uniform_noise)
+{
+  for (int seed : {1, 2, 3})
+    for (double sigma : {0.7, 1., 1.4, 2.})
+    {
+      CGAL::Random random(static_cast<unsigned int>(seed));
+      std::vector<Point> points;
+      for (const Point& p : surfaces::square(40000, static_cast<unsigned int>(seed)))
+        points.emplace_back(200. * p.x(), 200. * p.y(),
+                            std::sqrt(3.) * sigma * random.uniform_real(-1., 1.));
+      EXPECT_NEAR(noise_of(points) / sigma, 0.95, 0.1) << sigma << ' ' << seed;
+    }
+}
+
 TEST(Noise_level, of_a_thick_part_of_few_points_is_that_of_others)
 {
   // 700 points on a sphere, and 300 on a wire as thick as its noise, which end before it looks flat

@@ -38,6 +38,7 @@ struct Layer
   double width = 0.;     // radius of a disk with the lesser of the two extents in its plane
   double length = 0.;    // and with the greater
   double kurtosis = 0.;  // of the heights, over that of a normal distribution
+  double middle = 0.;    // share of the heights of less than half of their root mean square
 
   bool is_broad() const { return are_broad(width, length); }
 };
@@ -88,8 +89,14 @@ struct Layer_around_quadric
     const Eigen::Vector3d lambda = eigenvalues(covariance_sums(neighborhood));
     const double n = static_cast<double>(neighborhood.size());
     const double kurtosis = sum > 0. ? n * (sum_of_fourth_powers / sum) / sum - 3. : 0.;
+    const double half = neighborhood.radius * std::sqrt(sum / n) / 2.;
+    const auto middle = std::count_if(neighborhood.neighbors.begin(), neighborhood.neighbors.end(),
+                                      [&](const Neighborhood::Neighbor& neighbor) {
+      return std::abs(surface.residual(neighbor.position)) < half;
+    });
     return {neighborhood.radius * thickness(sum, neighborhood.size(), 6.),
-            radius_of_disk(lambda(1)), radius_of_disk(lambda(2)), kurtosis};
+            radius_of_disk(lambda(1)), radius_of_disk(lambda(2)), kurtosis,
+            static_cast<double>(middle) / n};
   }
 };
 
@@ -103,7 +110,7 @@ struct Layer_around_plane
     const Eigen::Vector3d lambda = eigenvalues(covariance_sums(neighborhood));
     const std::size_t n = neighborhood.size();
     return {thickness((std::max)(lambda(0), 0.) * static_cast<double>(n), n, 3.),
-            radius_of_disk(lambda(1)), radius_of_disk(lambda(2)), 0.};
+            radius_of_disk(lambda(1)), radius_of_disk(lambda(2)), 0., 1.};
   }
 };
 

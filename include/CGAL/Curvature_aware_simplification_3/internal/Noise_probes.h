@@ -108,7 +108,8 @@ std::vector<Layer> median_layers(const Noise_probes& probes, const std::vector<s
     medians[ranges[r]] = {median_of(of_range, [&](std::size_t i) { return layers[i].thickness; }),
                           median_of(of_range, [&](std::size_t i) { return layers[i].width; }),
                           median_of(of_range, [&](std::size_t i) { return layers[i].length; }),
-                          median_of(of_range, [&](std::size_t i) { return layers[i].kurtosis; })};
+                          median_of(of_range, [&](std::size_t i) { return layers[i].kurtosis; }),
+                          median_of(of_range, [&](std::size_t i) { return layers[i].middle; })};
   });
   return medians;
 }
