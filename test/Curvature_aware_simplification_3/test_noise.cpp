@@ -11,6 +11,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <limits>
@@ -21,11 +22,17 @@ namespace {
 
 using namespace inputs;
 
+Noise_levels noise_at_places(const Cloud& cloud,
+                             const Adaptive_settings& settings = default_settings)
+{
+  return measure_noise<Tag>(cloud.points, Neighbor_search(cloud.points, Tag()),
+                            many_probes(cloud.size()), settings);
+}
+
 double noise_of(const std::vector<Point>& points)
 {
   const Cloud cloud = make_cloud<Tag>(points, 1e-16);
-  return cloud.frame.length_from_frame(
-      measure_noise<Tag>(cloud.points, Neighbor_search(cloud.points, Tag())).median());
+  return cloud.frame.length_from_frame(noise_at_places(cloud).median());
 }
 
 TEST(Noise_level, is_found_on_smooth_surfaces)
@@ -65,7 +72,7 @@ TEST(Noise_level, is_small_without_noise)
 // The level at each point of the cloud, in the unit of the input
 std::vector<double> noise_of_points(const Cloud& cloud)
 {
-  const Noise_levels noise = measure_noise<Tag>(cloud.points, Neighbor_search(cloud.points, Tag()));
+  const Noise_levels noise = noise_at_places(cloud);
   std::vector<double> levels(cloud.size());
   for (std::size_t i = 0; i < levels.size(); ++i)
     levels[i] = cloud.frame.length_from_frame(noise.at(i).level);
@@ -84,7 +91,8 @@ TEST(Noise_level, is_that_of_the_place)
     const double x = points[cloud.input_index[i]].x();
     if (x < 0.7 || x > 1.3)
     {
-      EXPECT_NEAR(levels[i] / (x < 1. ? 0.001 : 0.004), 1., 0.2) << x;
+      // the largest of 512 medians of 64 values, each known to 8 %
+      EXPECT_NEAR(levels[i] / (x < 1. ? 0.001 : 0.004), 1., 0.3) << x;
     }
   }
 }
@@ -97,11 +105,12 @@ TEST(Noise_level, of_a_thin_part_is_not_its_thickness)
   for (const Point& p : surfaces::square(10000, 9))
     points.emplace_back(1. + 4. * p.x(), 0.04 * std::cos(2. * CGAL_PI * p.y()),
                         0.04 * std::sin(2. * CGAL_PI * p.y()));
-  for (double level : noise_of_points(make_cloud<Tag>(with_noise(points, sigma, 10), 1e-16)))
-  {
-    EXPECT_GT(level, 0.7 * sigma);
-    EXPECT_LT(level, 1.3 * sigma);
-  }
+  const std::vector<double> levels =
+      noise_of_points(make_cloud<Tag>(with_noise(points, sigma, 10), 1e-16));
+  const auto wrong =
+      std::count_if(levels.begin(), levels.end(),
+                    [&](double level) { return level < 0.7 * sigma || level > 1.3 * sigma; });
+  EXPECT_LT(wrong, static_cast<std::ptrdiff_t>(levels.size() / 100)); // two ranges of 312
 }
 
 TEST(Noise_level, of_thin_parts_is_not_their_shape)
@@ -180,6 +189,43 @@ TEST(Layer_around_quadric, knows_the_share_of_heights_in_the_middle)
             0.);
   EXPECT_NEAR(middle([&] { return random.uniform_real(-1., 1.); }), 0.289, 0.05);
   EXPECT_NEAR(middle([&] { return surfaces::normal_deviate(random); }), 0.383, 0.05);
+}
+
+TEST(Noise_probes, are_more_where_there_are_more_points)
+{
+  EXPECT_EQ(many_probes(100), 512u);
+  EXPECT_EQ(many_probes(16 * 600), 600u);
+  EXPECT_EQ(many_probes(std::size_t(1) << 40), 4096u);
+  const std::vector<Point> points = surfaces::square(1000, 8);
+  const Noise_probes probes = noise_probes<Tag>(points, 160);
+  EXPECT_EQ(probes.points.size(), 160u);
+  EXPECT_EQ(probes.of_range.size(), 20u);
+  for (const std::vector<std::size_t>& of_range : probes.of_range)
+    EXPECT_EQ(of_range.size(), 64u);
+  EXPECT_EQ(noise_probes<Tag>(points, 4096).points.size(), 1000u);
+}
+
+// The noise of a laser scanner is along its rays: none where these touch the surface. Medians of an
+// eighth of the points hid that, and samples stayed where the points were.
+TEST(Noise_level, along_one_axis_differs_by_place)
+{
+  const double sigma = 0.02;
+  CGAL::Random random(8);
+  std::vector<Point> points;
+  for (const Point& p : surfaces::torus(60000, 3., 1., 8))
+    points.emplace_back(p.x() + sigma * surfaces::normal_deviate(random), p.y(), p.z());
+  const Cloud cloud = make_cloud<Tag>(points, 1e-16);
+  const Noise_levels noise = noise_at_places(cloud);
+  double squares = 0.;
+  for (std::size_t i = 0; i < cloud.size(); ++i)
+  {
+    const Point p = cloud.frame.from_frame(cloud.points[i], 1e300);
+    const double r = std::sqrt(p.x() * p.x() + p.y() * p.y()); // of the torus around the z axis
+    const double expected = sigma * std::abs((r - 3.) * p.x() / r); // sigma n_x
+    const double found = cloud.frame.length_from_frame(noise.at(i).level);
+    squares += (found - expected) * (found - expected);
+  }
+  EXPECT_LT(std::sqrt(squares / static_cast<double>(cloud.size())), 0.15 * sigma);
 }
 
 // Uniform noise was taken for two sheets, and half of it for their distance.
@@ -342,7 +388,7 @@ TEST(Noise_level, is_found_in_columns_of_points)
     {
       const Cloud cloud =
           make_cloud<Tag>(frames_of_a_scanner_at_rest(60, frames, sigma, 42), 1e-16);
-      Noise_levels noise = measure_noise<Tag>(cloud.points, Neighbor_search(cloud.points, Tag()));
+      Noise_levels noise = noise_at_places(cloud);
       const double unit = cloud.frame.length_to_frame(1.);
       // Waves are oblique to the directions, and their noise is along these. Less is hidden by the
       // shape of as many points as are needed to see it.
@@ -382,8 +428,7 @@ TEST(Noise_level, sees_no_columns_elsewhere)
   for (std::size_t i = 0; i < inputs.size(); ++i)
   {
     const Cloud cloud = make_cloud<Tag>(inputs[i], 1e-16);
-    const Noise_levels noise =
-        measure_noise<Tag>(cloud.points, Neighbor_search(cloud.points, Tag()));
+    const Noise_levels noise = noise_at_places(cloud);
     for (const Noise& here : noise.of_range)
       EXPECT_EQ(here.radius_of_columns, 0.) << i;
   }
@@ -458,8 +503,8 @@ TEST(Planes_of_few_points, take_nothing_from_the_noise_of_planes_and_of_columns)
     const Neighbor_search search(cloud.points, Tag());
     Adaptive_settings settings;
     settings.limit_noise_by_planes = false;
-    const double without = measure_noise<Tag>(cloud.points, search, settings).median();
-    return std::make_pair(measure_noise<Tag>(cloud.points, search).median(), without);
+    const double without = noise_at_places(cloud, settings).median();
+    return std::make_pair(noise_at_places(cloud).median(), without);
   };
   for (double sigma_in_spacings : {0.1, 0.2, 0.3, 0.4, 0.6, 1., 2., 4.})
   {

@@ -94,6 +94,15 @@ struct Noise_levels
     }
   }
 
+  // Whether it is anywhere, when balls are as wide as columns need
+  bool is_visible_above(double error) const
+  {
+    Noise_levels widened = *this;
+    widened.widen_to_columns();
+    widened.make_visible_above(error);
+    return widened.is_visible();
+  }
+
   // The narrowest fits, to 19 points, err by 0.6 sigma: where noise is just visible, by 1.2 times
   // `error`.
   void make_visible_above(double error)

@@ -38,12 +38,25 @@ inline std::vector<std::size_t> all_ranges(const Noise_probes& probes)
   return ranges;
 }
 
-template <typename ConcurrencyTag>
-Noise_probes noise_probes(const std::vector<Point>& points)
+// So many probes tell whether there is any noise: they take 3 % of the time of a clean call.
+inline constexpr std::size_t few_probes = 512;
+
+// So many tell how much there is at each place: one for 16 points, so that the smallest layers of
+// two, of 17 points, hardly overlap, and at most 4096. With 512, a median is that of an eighth of
+// the points: with noise along the rays of a scanner, the mean error is 5 % larger, and samples are
+// 8 to 16 % farther from the surface. They take 8 % of the time of a noisy call.
+inline std::size_t many_probes(std::size_t number_of_points)
 {
-  // 64 values give a median to about 8 % of the noise, and 512 probes take 2 % of the time of a
-  // call.
-  constexpr std::size_t most = 512, in_range = 8, in_median = 64;
+  constexpr std::size_t points_for_each = 16, most = 4096;
+  return (std::max)((std::min)(number_of_points / points_for_each, most), few_probes);
+}
+
+// At most so many probes
+template <typename ConcurrencyTag>
+Noise_probes noise_probes(const std::vector<Point>& points, std::size_t most)
+{
+  constexpr std::size_t in_range = 8;
+  constexpr std::size_t in_median = 64; // gives a median to about 8 % of the noise
 
   Noise_probes probes;
   const std::size_t number = (std::min)(most, points.size());

@@ -56,16 +56,20 @@ struct Clean_scan
 // The noise of the points without outliers, and what rounding has left of depth, by place
 template <typename ConcurrencyTag>
 Noise_levels noise_of_scan(const std::vector<Point>& points, const Neighbor_search& search,
-                           const Depth_levels& depth_levels, const Adaptive_settings& settings)
+                           const Depth_levels& depth_levels, std::size_t number_of_probes,
+                           const Adaptive_settings& settings)
 {
   // Points whose rounding was undone share what is left of it: a few hide it.
   Adaptive_settings measured = settings;
   measured.limit_noise_by_planes = settings.limit_noise_by_planes && depth_levels.heights.empty();
-  Noise_levels noise = settings.measure_noise
-                           ? measure_noise<ConcurrencyTag>(points, search, measured)
-                           : uniform_noise(0., points.size());
+  Noise_levels noise =
+      settings.measure_noise
+          ? measure_noise<ConcurrencyTag>(points, search, number_of_probes, measured)
+          : uniform_noise(0., points.size());
   if (!depth_levels.heights.empty())
     allow_for_rounding<ConcurrencyTag>(noise, points, depth_levels);
+  if (!settings.noise_by_place)
+    noise.make_uniform();
   return noise;
 }
 
@@ -104,16 +108,22 @@ Clean_scan clean_scan(Cloud cloud, std::unique_ptr<Neighbor_search> search,
   report.number_of_outliers = distinct - cloud.size();
   report.outliers_time = stopwatch.lap();
 
-  Noise_levels noise = noise_of_scan<ConcurrencyTag>(cloud.points, *search, depth_levels, settings);
-  report.noise_level = cloud.frame.length_from_frame(noise.median());
-  noise.widen_to_columns();
-  if (!settings.noise_by_place)
-    noise.make_uniform();
   const double spacing_of_samples =
       lattice_spacing(static_cast<double>(number_of_samples) /
                       area_of_surface<ConcurrencyTag>(shared.features.inverse_density));
   // Wider fits are worth their time only where the error is visible: beyond 1 % of the spacing.
-  noise.make_visible_above(0.01 * spacing_of_samples);
+  const double visible_error = 0.01 * spacing_of_samples;
+  const auto noise_at = [&](std::size_t number_of_probes)
+  {
+    return noise_of_scan<ConcurrencyTag>(cloud.points, *search, depth_levels, number_of_probes,
+                                         settings);
+  };
+  Noise_levels noise = noise_at(few_probes);
+  if (noise.is_visible_above(visible_error))
+    noise = noise_at(many_probes(cloud.size()));
+  report.noise_level = cloud.frame.length_from_frame(noise.median());
+  noise.widen_to_columns();
+  noise.make_visible_above(visible_error);
   const bool are_enough_to_fit = cloud.size() >= fewest_points_to_fit;
   std::vector<std::uint8_t> is_bent = bent_points<ConcurrencyTag>(shared.features, k, noise);
   Clean_scan scan{std::move(cloud.points),

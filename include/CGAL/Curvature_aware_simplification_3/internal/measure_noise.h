@@ -51,9 +51,9 @@ inline Noise noise_of_both(const Shown_noise& around_quadrics, const Shown_noise
 // Standard deviation sigma of the distance of the points to the surface, by place
 template <typename ConcurrencyTag>
 Noise_levels measure_noise(const std::vector<Point>& points, const Neighbor_search& search,
-                           const Adaptive_settings& settings = Adaptive_settings())
+                           std::size_t number_of_probes, const Adaptive_settings& settings)
 {
-  const Noise_probes probes = noise_probes<ConcurrencyTag>(points);
+  const Noise_probes probes = noise_probes<ConcurrencyTag>(points, number_of_probes);
   Shown_noise unknown;
   unknown.is_known = unknown.is_reliable = false;
   std::vector<Shown_noise> around_planes(probes.of_range.size(), unknown);
