@@ -119,8 +119,9 @@ Clean_scan clean_scan(Cloud cloud, std::unique_ptr<Neighbor_search> search,
                                          settings);
   };
   Noise_levels noise = noise_at(few_probes);
-  if (noise.is_visible_above(visible_error))
-    noise = noise_at(many_probes(cloud.size()));
+  const std::size_t many = many_probes(cloud.size());
+  if (many > few_probes && noise.is_visible_above(visible_error))
+    noise = noise_at(many);
   report.noise_level = cloud.frame.length_from_frame(noise.median());
   noise.widen_to_columns();
   noise.make_visible_above(visible_error);
