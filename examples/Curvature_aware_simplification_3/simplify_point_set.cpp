@@ -217,11 +217,19 @@ bool write(std::ostream& stream, const std::string& format, Point_set& points)
                          : CGAL::IO::write_XYZ(stream, points, precision);
 }
 
+// What a link leads to, whether it is there yet or not
+fs::path target_of(fs::path path)
+{
+  while (fs::is_symlink(path) && !fs::exists(path))
+    path = path.parent_path() / fs::read_symlink(path);
+  return fs::exists(path) ? fs::canonical(path) : path;
+}
+
 // Writes beside the output and renames, so that there is the whole file or none. What a link leads
 // to is replaced, and not the link; a file that is there keeps its permissions.
 void write(const std::string& filename, Point_set& points)
 {
-  const fs::path path = fs::exists(filename) ? fs::canonical(filename) : fs::path(filename);
+  const fs::path path = target_of(filename);
   const fs::path partial = fs::path(path).replace_filename("." + path.stem().string() + ".partial" +
                                                            path.extension().string());
   std::error_code failure;

@@ -47,7 +47,8 @@ input:
 
 With the defaults, of fewer than 57 distinct points, outliers not counted, which no fit tells the
 surface of, some are selected evenly along the space-filling curve and none is moved; of the
-parameters, only the number of points and the seed matter.
+parameters, only the number of points and the seed matter, and where there are outliers,
+`number_of_neighbors`.
 
 What was found is told by `simplification_report`. The manual has the details.
 

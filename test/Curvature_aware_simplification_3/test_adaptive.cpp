@@ -208,6 +208,22 @@ TEST(Adaptive, removes_noise_of_frames_with_any_directions)
     }
 }
 
+// Smoothing kept fewer points than a fit needs of columns of which few were asked for, and the same
+// fit was made again and again, without end.
+TEST(Adaptive, ends_on_columns_of_which_few_are_asked_for)
+{
+  for (int frames : {20, 50, 200})
+  {
+    CGAL::Random random(5);
+    std::vector<Point> columns;
+    for (int frame = 0; frame < frames; ++frame)
+      for (int i = 0; i < 64; ++i)
+        columns.emplace_back(i % 8, i / 8, random.uniform_real(-0.02, 0.02));
+    for (std::size_t n = 1; n <= 9; ++n)
+      EXPECT_EQ(simplified(columns, np::number_of_output_points(n)).size(), n);
+  }
+}
+
 // Of fewer points than a fit needs, samples were pushed far off all of them: of three on a line, by
 // a distance.
 TEST(Adaptive, selects_of_few_points)

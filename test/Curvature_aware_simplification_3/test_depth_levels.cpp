@@ -196,6 +196,25 @@ TEST(Rounding_of_depth, is_undone_between_the_borders_of_the_steps)
   EXPECT_EQ(rounded_away(wall[50 * 25 + 25], levels, Neighbor_search(wall, Tag())), 0.);
 }
 
+// Points of two levels at the same place in their plane met halfway between these.
+TEST(Rounding_of_depth, brings_no_two_points_together)
+{
+  const double step = 3.;
+  Depth_levels levels;
+  levels.direction = Vector(0., 0., 1.);
+  levels.tolerance = 1e-9;
+  levels.heights = {0., step};
+  levels.gap_above = {step, 0.};
+  std::vector<Point> points;
+  for (int x = 0; x < 20; ++x)
+    for (int y = 0; y < 20; ++y)
+      for (double z : {0., step})
+        points.emplace_back(x, y, z);
+  const Neighbor_search search(points, Tag());
+  EXPECT_NEAR(rounded_away(Point(10., 10., 0.), levels, search), 0.49 * step, 1e-12);
+  EXPECT_NEAR(rounded_away(Point(10., 10., step), levels, search), -0.49 * step, 1e-12);
+}
+
 TEST(Rounding_of_depth, leaves_a_tenth_of_a_step)
 {
   for (double step : {2., 3., 5., 8.})

@@ -446,6 +446,19 @@ TEST(Noise_levels, count_for_balls_that_hold_several_columns)
   EXPECT_EQ(noise.at(3).level, 4.);
 }
 
+TEST(Noise_levels, keep_columns_when_they_are_made_uniform)
+{
+  Noise_levels noise{{{1., 1., 6.}, {2., 2.}, {4., 4., 12.}}, 3};
+  noise.make_uniform();
+  for (std::size_t i = 0; i < 3; ++i)
+  {
+    EXPECT_EQ(noise.at(i).level, 2.);
+    EXPECT_EQ(noise.at(i).independent_level, 2.);
+  }
+  EXPECT_EQ(noise.at(0).radius_of_columns, 6.);
+  EXPECT_EQ(noise.at(2).radius_of_columns, 12.);
+}
+
 TEST(Noise_levels, have_ranges_of_points)
 {
   const Noise_levels noise{{{1., 1.}, {3., 3.}, {2., 2.}}, 7};

@@ -277,6 +277,16 @@ TEST(Thinning, keeps_two_points_for_each_sample)
   }
 }
 
+TEST(Thinning, keeps_enough_to_fit_surfaces_to)
+{
+  const std::vector<double> inverse_density(1280, 1e-9);
+  Noise_levels noise = uniform_noise(1., inverse_density.size());
+  noise.make_visible_above(0.1);
+  smooth_as_usual(noise);
+  EXPECT_GE(thin_points<Tag>(inverse_density, noise, 1).kept.size(), 57u);
+  EXPECT_LE(thin_points<Tag>(inverse_density, noise, 1).kept.size(), 59u);
+}
+
 TEST(Thinning, leaves_a_sparse_place_beside_a_dense_one)
 {
   std::vector<double> inverse_density(4095, 1e-6); // 16 ranges

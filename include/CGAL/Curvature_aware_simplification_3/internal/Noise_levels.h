@@ -80,7 +80,8 @@ struct Noise_levels
   void make_uniform()
   {
     const double level = median();
-    std::fill(of_range.begin(), of_range.end(), Noise{level, level});
+    for (Noise& noise : of_range)
+      noise.level = noise.independent_level = level;
   }
 
   // Smoothing takes the points in a ball with a radius of 4 sigma. So that this ball holds several

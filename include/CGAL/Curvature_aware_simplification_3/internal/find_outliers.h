@@ -86,8 +86,9 @@ inline bool are_few_against(std::size_t second, std::size_t first)
 // but they are layers in wider neighborhoods, flat points are nearby, or they are connected to
 // denser parts. The votes of outliers do not count, which uncovers others: where these are dense,
 // those that lose a third of theirs. Without single points between them, clusters are apart. Where
-// there are more than a few near the surface, some hide between its corners' votes and those of
-// points farther off: a second look, once, asks for half of the votes, unless it finds too many.
+// there are more than a few near the surface, others get between k / 4 votes, the limit of the
+// first look, and k / 2, what a corner gets: a second look, once, asks for half of the votes,
+// unless it finds too many.
 template <typename ConcurrencyTag>
 std::vector<std::uint8_t> find_outliers(const Cloud& cloud, const Neighbor_search& search,
                                         const Shared_features& shared, std::size_t k,

@@ -26,35 +26,37 @@ inline Local_surface fit_local_surface(const Surface_fit& fit, const Point& x, c
                                        const Local_surface& last, int rounds,
                                        Neighborhood& neighborhood)
 {
+  const auto fit_curve = [&]
+  {
+    Local_surface surface = fit_to_neighbors(fit, x, normal, smallest_neighborhood, last.neighbors,
+                                             rounds, neighborhood);
+    surface.is_curve = true;
+    return surface;
+  };
+  if (last.is_curve)
+    return fit_curve();
   // More than a third of all points do not tell what is between them (see fewest_points_to_fit):
   // those of a closed curve are as wide as a surface.
   const std::size_t largest =
-      (std::min)(largest_neighborhood, (std::max)(smallest_neighborhood, fit.number_of_points / 3));
+      (std::min)({largest_neighborhood, fit.number_of_points,
+                  (std::max)(smallest_neighborhood, fit.number_of_points / 3)});
   Vector guess = normal;
-  bool is_curve = last.is_curve;
   bool turns = false;
   for (std::size_t smallest = smallest_neighborhood;;)
   {
-    Local_surface surface =
+    const Local_surface surface =
         fit_to_neighbors(fit, x, guess, smallest, last.neighbors, rounds, neighborhood);
-    surface.is_curve = is_curve;
-    if (!fit.settings.widen_between_lines || is_curve)
+    if (!fit.settings.widen_between_lines)
       return surface;
+    const std::size_t size = neighborhood.size();
     turns = is_on_line(fit, surface) || (turns && is_on_bent_line(neighborhood, surface));
-    if (!turns && (neighborhood.size() >= largest || !is_between_lines(fit, neighborhood, surface)))
+    if (!turns && (size >= largest || !is_between_lines(fit, neighborhood, surface)))
       return surface;
-    is_curve = neighborhood.size() >= largest;
-    if (is_curve)
-    {
-      smallest = smallest_neighborhood;
-      guess = normal;
-    }
-    else
-    {
-      smallest = (std::min)(2 * neighborhood.size() - 1, largest); // the center may be one of them
-      if (turns) // and the guess may have turned with another fit
-        guess = NULL_VECTOR;
-    }
+    if (size >= largest)
+      return fit_curve();
+    smallest = (std::min)(2 * size - 1, largest); // the center may be one of them
+    if (turns)                                    // and the guess may have turned with another fit
+      guess = NULL_VECTOR;
   }
 }
 

@@ -71,7 +71,7 @@ Distinct_samples simplify_adaptively(Cloud cloud, std::unique_ptr<Neighbor_searc
   Clean_scan scan = clean_scan<ConcurrencyTag, DiagonalizeTraits>(
       std::move(cloud), std::move(search), parameters, settings, progress.part(0., 0.4), report);
   report.output_spacing = frame.length_from_frame(scan.spacing_of_samples);
-  if (report.number_of_distinct_points - report.number_of_outliers < fewest_points_to_fit)
+  if (scan.points.size() < fewest_points_to_fit)
     return select_without_moving<ConcurrencyTag>(scan.points, parameters);
 
   Stopwatch stopwatch;

@@ -8,6 +8,7 @@
 
 #include <CGAL/Curvature_aware_simplification_3/internal/Curve_ranges.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Noise_levels.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/Surface_fit.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/loops.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/prefix_sums.h>
 
@@ -69,8 +70,8 @@ std::vector<double> parts_to_smooth(const std::vector<double>& inverse_density,
 }
 
 // Keeps a part of the points, evenly along the curve: one wherever the sum of the parts passes an
-// integer. At least two for each sample remain, but for one by rounding, if there are so many: what
-// is missing is taken from all places alike.
+// integer. At least two for each sample remain, and enough to fit surfaces to, but for one by
+// rounding, if there are so many: what is missing is taken from all places alike.
 template <typename ConcurrencyTag>
 Thinned_points thin_points(const std::vector<double>& inverse_density, const Noise_levels& noise,
                            std::size_t number_of_samples)
@@ -80,7 +81,9 @@ Thinned_points thin_points(const std::vector<double>& inverse_density, const Noi
   const double all = static_cast<double>(n);
   const double enough = reduce_indices<ConcurrencyTag>(
       n, 0., [&](std::size_t i) { return part[i]; }, std::plus<double>());
-  const double wanted = (std::min)(2. * static_cast<double>(number_of_samples), all);
+  const double to_fit = static_cast<double>(fewest_points_to_fit + 1); // one may be lost
+  const double wanted =
+      (std::min)((std::max)(2. * static_cast<double>(number_of_samples), to_fit), all);
   if (enough < wanted)
   {
     const double more = (wanted - enough) / (all - enough);

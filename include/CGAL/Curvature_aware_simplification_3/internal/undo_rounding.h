@@ -60,7 +60,9 @@ inline double rounded_away(const Point& p, const Depth_levels& levels,
   const double to_above = above > 0. ? distance_to_next_level(p, above, levels, search) : reach;
   // Steps that are less than half as wide as high are taken for wider: their borders may overlap.
   const double width = (std::max)(to_below + to_above, (std::max)(below, above) / 2.);
-  const double part = (to_below - to_above) / (2. * width);
+  // Points of two levels at the same place in their plane do not meet halfway.
+  constexpr double most = 0.49;
+  const double part = (std::clamp)((to_below - to_above) / (2. * width), -most, most);
   return part * (part > 0. ? above : below);
 }
 
