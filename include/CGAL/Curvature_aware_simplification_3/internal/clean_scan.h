@@ -146,6 +146,7 @@ Clean_scan clean_scan(Cloud cloud, std::unique_ptr<Neighbor_search> search,
     scan.noise = smooth_points<ConcurrencyTag>(scan.points, scan.inverse_density, scan.is_bent,
                                                *scan.search, scan.noise, number_of_samples,
                                                settings, progress.part(0.75, 0.95));
+    scan.inverse_density = std::vector<double>(); // of the points as they were
     scan.search.reset(); // two trees at once would take the most memory of the call
     scan.search = std::make_unique<Neighbor_search>(scan.points, ConcurrencyTag());
     progress.report(0.96);

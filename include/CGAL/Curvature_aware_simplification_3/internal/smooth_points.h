@@ -125,21 +125,22 @@ Noise_levels noise_left(const Noise_levels& noise, const std::vector<std::size_t
 // can be narrower: in balls of 7 sigma, shape is lost. Thins points that are dense against the
 // noise. Returns what is left of it.
 template <typename ConcurrencyTag>
-Noise_levels smooth_points(std::vector<Point>& points, std::vector<double>& inverse_density,
+Noise_levels smooth_points(std::vector<Point>& points, const std::vector<double>& inverse_density,
                            std::vector<std::uint8_t>& is_bent, const Neighbor_search& search,
                            const Noise_levels& noise, std::size_t number_of_samples,
                            const Adaptive_settings& settings, const Progress& progress)
 {
   const Surface_fit fit{search, points.size(), no_noise, settings}; // each point has its own noise
-  Thinned_points thinned = thin_points<ConcurrencyTag>(inverse_density, noise, number_of_samples);
-  const std::size_t kept = thinned.kept.size();
+  const std::vector<std::size_t> kept_points =
+      thin_points<ConcurrencyTag>(inverse_density, noise, number_of_samples);
+  const std::size_t kept = kept_points.size();
   std::vector<Point> smoothed(kept);
   std::vector<double> variance(kept);
   std::vector<std::uint8_t> is_kept_bent(kept);
   for_each_index<ConcurrencyTag>(kept, progress,
                                  [&](std::size_t i)
                                  {
-    const std::size_t j = thinned.kept[i];
+    const std::size_t j = kept_points[i];
     const Smoothed_point result =
         smooth_point(fit.with(noise.at(j)), points[j], inverse_density[j]);
     smoothed[i] = result.point;
@@ -147,9 +148,8 @@ Noise_levels smooth_points(std::vector<Point>& points, std::vector<double>& inve
     is_kept_bent[i] = is_bent[j];
   });
   points.swap(smoothed);
-  inverse_density.swap(thinned.inverse_density);
   is_bent.swap(is_kept_bent);
-  return noise_left<ConcurrencyTag>(noise, thinned.kept, variance);
+  return noise_left<ConcurrencyTag>(noise, kept_points, variance);
 }
 
 } // namespace internal

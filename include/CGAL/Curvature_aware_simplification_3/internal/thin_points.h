@@ -26,14 +26,6 @@ namespace internal {
 // all in a ball
 inline constexpr std::size_t smoothing_neighborhood = 25;
 
-// The indices of some of the points, in order, and 1/rho of each of them: it stands for those that
-// are left out as well
-struct Thinned_points
-{
-  std::vector<std::size_t> kept;
-  std::vector<double> inverse_density;
-};
-
 // The part of the points that is enough to smooth all: those in the ball that smooths one are all
 // averaged into it, so that more than a full neighborhood per ball tell the same again. All, where
 // noise is not visible: there, points are not smoothed.
@@ -69,12 +61,12 @@ std::vector<double> parts_to_smooth(const std::vector<double>& inverse_density,
   return parts;
 }
 
-// Keeps a part of the points, evenly along the curve: one wherever the sum of the parts passes an
-// integer. At least two for each sample remain, and enough to fit surfaces to, but for one by
-// rounding, if there are so many: what is missing is taken from all places alike.
+// The indices of a part of the points, evenly along the curve: one wherever the sum of the parts
+// passes an integer. At least two for each sample remain, and enough to fit surfaces to, but for
+// one by rounding, if there are so many: what is missing is taken from all places alike.
 template <typename ConcurrencyTag>
-Thinned_points thin_points(const std::vector<double>& inverse_density, const Noise_levels& noise,
-                           std::size_t number_of_samples)
+std::vector<std::size_t> thin_points(const std::vector<double>& inverse_density,
+                                     const Noise_levels& noise, std::size_t number_of_samples)
 {
   const std::size_t n = inverse_density.size();
   std::vector<double> part = parts_to_smooth<ConcurrencyTag>(inverse_density, noise);
@@ -90,19 +82,10 @@ Thinned_points thin_points(const std::vector<double>& inverse_density, const Noi
     for_each_index<ConcurrencyTag>(0, n, [&](std::size_t i) { part[i] += more * (1. - part[i]); });
   }
 
-  std::vector<double> sum = part;
+  std::vector<double>& sum = part; // from here on
   sum_up<ConcurrencyTag>(sum);
-  Thinned_points result;
-  result.kept = indices_where<ConcurrencyTag>(
+  return indices_where<ConcurrencyTag>(
       n, [&](std::size_t i) { return std::floor(sum[i]) > std::floor(i > 0 ? sum[i - 1] : 0.); });
-  result.inverse_density.resize(result.kept.size());
-  for_each_index<ConcurrencyTag>(0, result.kept.size(),
-                                 [&](std::size_t i)
-                                 {
-    const std::size_t j = result.kept[i];
-    result.inverse_density[i] = 1. / part[j] * inverse_density[j];
-  });
-  return result;
 }
 
 } // namespace internal
