@@ -82,7 +82,7 @@ std::vector<std::size_t> thin_points(const std::vector<double>& inverse_density,
     for_each_index<ConcurrencyTag>(0, n, [&](std::size_t i) { part[i] += more * (1. - part[i]); });
   }
 
-  std::vector<double>& sum = part; // from here on
+  std::vector<double> sum = part;
   sum_up<ConcurrencyTag>(sum);
   return indices_where<ConcurrencyTag>(
       n, [&](std::size_t i) { return std::floor(sum[i]) > std::floor(i > 0 ? sum[i - 1] : 0.); });
