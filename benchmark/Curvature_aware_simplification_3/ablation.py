@@ -32,6 +32,7 @@ IDEAS = [
     ("noise not measured", "measure_noise=0"),
     ("noise measured in single columns of points", "find_columns=0"),
     ("the same noise everywhere", "noise_by_place=0"),
+    ("noise measured at 512 places", "most_noise_probes=512"),
     ("two noisy sheets not told from one", "tell_two_sheets=0"),
     ("noise not limited where layers are thick by shape", "limit_noise_by_shape=0"),
     ("noise measured around quadrics only", "noise_around_planes=0"),

@@ -218,6 +218,7 @@ Setting with_parameters(const std::string& parameters)
   set("measure_noise", settings.measure_noise);
   set("find_columns", settings.find_columns);
   set("noise_by_place", settings.noise_by_place);
+  set("most_noise_probes", settings.most_noise_probes);
   set("tell_two_sheets", settings.tell_two_sheets);
   set("limit_noise_by_shape", settings.limit_noise_by_shape);
   set("noise_around_planes", settings.noise_around_planes);

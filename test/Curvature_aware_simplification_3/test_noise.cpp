@@ -26,7 +26,7 @@ Noise_levels noise_at_places(const Cloud& cloud,
                              const Adaptive_settings& settings = default_settings)
 {
   return measure_noise<Tag>(cloud.points, Neighbor_search(cloud.points, Tag()),
-                            many_probes(cloud.size()), settings);
+                            many_probes(cloud.size(), settings.most_noise_probes), settings);
 }
 
 double noise_of(const std::vector<Point>& points)
@@ -193,9 +193,9 @@ TEST(Layer_around_quadric, knows_the_share_of_heights_in_the_middle)
 
 TEST(Noise_probes, are_more_where_there_are_more_points)
 {
-  EXPECT_EQ(many_probes(100), 512u);
-  EXPECT_EQ(many_probes(16 * 600), 600u);
-  EXPECT_EQ(many_probes(std::size_t(1) << 40), 4096u);
+  EXPECT_EQ(many_probes(100, 4096), 512u);
+  EXPECT_EQ(many_probes(16 * 600, 4096), 600u);
+  EXPECT_EQ(many_probes(std::size_t(1) << 40, 4096), 4096u);
   const std::vector<Point> points = surfaces::square(1000, 8);
   const Noise_probes probes = noise_probes<Tag>(points, 160);
   EXPECT_EQ(probes.points.size(), 160u);

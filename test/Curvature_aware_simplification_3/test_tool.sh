@@ -70,6 +70,9 @@ chmod 600 elsewhere/target.xyz
 ln -s elsewhere/target.xyz link.xyz
 "$tool" -q patch.xyz link.xyz
 [ -L link.xyz ] && cmp -s elsewhere/target.xyz out.xyz || fail "what a link leads to is not replaced"
+ln -s elsewhere/new.xyz dangling.xyz
+"$tool" -q patch.xyz dangling.xyz
+[ -L dangling.xyz ] && cmp -s elsewhere/new.xyz out.xyz || fail "what a link leads to is not made"
 [ "$(ls -l elsewhere/target.xyz | cut -c 1-10)" = "-rw-------" ] || fail "a file loses its permissions"
 
 # attributes of a subset

@@ -33,6 +33,10 @@ struct Adaptive_settings
   bool find_columns = true;
   // Each range of the Hilbert curve has the noise of its place; without, all have the median.
   bool noise_by_place = true;
+  // Where there is any, it is measured at so many places at most. With 512, a median is that of an
+  // eighth of the points: with noise along the rays of a scanner, the mean error is 5 % larger, and
+  // samples are 8 to 16 % farther from the surface. 4096 take 8 % of the time of a noisy call.
+  std::size_t most_noise_probes = 4096;
   // Where layers are as thick as wide, two sheets are told from one.
   bool tell_two_sheets = true;
   // Noise is no more than is told by layers that are thick by their shape, as those of thin parts

@@ -53,24 +53,31 @@ struct Clean_scan
   bool had_many_outliers;
 };
 
-// The noise of the points without outliers, and what rounding has left of depth, by place
+// The noise of the points without outliers, and what rounding has left of depth, by place: at few
+// places, and at many where it is visible
 template <typename ConcurrencyTag>
 Noise_levels noise_of_scan(const std::vector<Point>& points, const Neighbor_search& search,
-                           const Depth_levels& depth_levels, std::size_t number_of_probes,
+                           const Depth_levels& depth_levels, double visible_error,
                            const Adaptive_settings& settings)
 {
   // Points whose rounding was undone share what is left of it: a few hide it.
   Adaptive_settings measured = settings;
   measured.limit_noise_by_planes = settings.limit_noise_by_planes && depth_levels.heights.empty();
-  Noise_levels noise =
-      settings.measure_noise
-          ? measure_noise<ConcurrencyTag>(points, search, number_of_probes, measured)
-          : uniform_noise(0., points.size());
-  if (!depth_levels.heights.empty())
-    allow_for_rounding<ConcurrencyTag>(noise, points, depth_levels);
-  if (!settings.noise_by_place)
-    noise.make_uniform();
-  return noise;
+  const auto noise_at = [&](std::size_t number_of_probes)
+  {
+    Noise_levels noise =
+        settings.measure_noise
+            ? measure_noise<ConcurrencyTag>(points, search, number_of_probes, measured)
+            : uniform_noise(0., points.size());
+    if (!depth_levels.heights.empty())
+      allow_for_rounding<ConcurrencyTag>(noise, points, depth_levels);
+    if (!settings.noise_by_place)
+      noise.make_uniform();
+    return noise;
+  };
+  Noise_levels noise = noise_at(few_probes);
+  const std::size_t many = many_probes(points.size(), settings.most_noise_probes);
+  return many > few_probes && noise.is_visible_above(visible_error) ? noise_at(many) : noise;
 }
 
 // Measures what disturbs the input and takes it away, in this order: steps of the depth, outliers,
@@ -113,15 +120,8 @@ Clean_scan clean_scan(Cloud cloud, std::unique_ptr<Neighbor_search> search,
                       area_of_surface<ConcurrencyTag>(shared.features.inverse_density));
   // Wider fits are worth their time only where the error is visible: beyond 1 % of the spacing.
   const double visible_error = 0.01 * spacing_of_samples;
-  const auto noise_at = [&](std::size_t number_of_probes)
-  {
-    return noise_of_scan<ConcurrencyTag>(cloud.points, *search, depth_levels, number_of_probes,
-                                         settings);
-  };
-  Noise_levels noise = noise_at(few_probes);
-  const std::size_t many = many_probes(cloud.size());
-  if (many > few_probes && noise.is_visible_above(visible_error))
-    noise = noise_at(many);
+  Noise_levels noise =
+      noise_of_scan<ConcurrencyTag>(cloud.points, *search, depth_levels, visible_error, settings);
   report.noise_level = cloud.frame.length_from_frame(noise.median());
   noise.widen_to_columns();
   noise.make_visible_above(visible_error);

@@ -105,10 +105,11 @@ bool fit_coefficients(const Neighborhood& neighborhood, double noise, Local_surf
 {
   Normal_equations<n> equations = normal_equations<n>(neighborhood, surface);
   Eigen::Matrix<double, n, n>& matrix = equations.matrix;
-  const Eigen::Matrix<double, n, n> without_penalty = matrix;
   const double sum = matrix(0, 0);
   if (!(sum > 0.))
     return false;
+  const double unit = neighborhood.radius;
+  set_extent(matrix, unit, surface);
   // A penalty that only speaks where the neighbors are silent: points on a line know nothing of the
   // curvature across it. Against the 3/80 that a disk with the weights (1 - r^2)^2 contributes to
   // a^4, and the 1/8 to a^2, 1e-5 and 1e-9 are nothing.
@@ -125,11 +126,9 @@ bool fit_coefficients(const Neighborhood& neighborhood, double noise, Local_surf
                  : 0.;
   if (!c.allFinite() || !std::isfinite(influence))
     return false;
-  const double unit = neighborhood.radius;
   std::fill(surface.c, surface.c + 6, 0.);
   for (int i = 0; i < n; ++i)
     surface.c[i] = c(i) * (i == 0 ? unit : i < 3 ? 1. : 1. / unit);
-  set_extent(without_penalty, unit, surface);
   // var(c0) = sigma^2 (A^-1 B A^-1)_00 with B = sum w^2 f f^T, taken as A times the mean weight: 8
   // to 11 % too small a deviation. The exact one takes 4 % more of a noisy call, for the same
   // errors of the mesh.

@@ -132,7 +132,8 @@ void set_smoothing_radii(Noise_levels& noise, const std::vector<Point>& points,
     return;
 
   const Surface_fit fit{search, points.size(), no_noise, settings}; // each place has its own noise
-  const Noise_probes probes = noise_probes<ConcurrencyTag>(points, many_probes(points.size()));
+  const Noise_probes probes =
+      noise_probes<ConcurrencyTag>(points, many_probes(points.size(), settings.most_noise_probes));
   const std::size_t number = probes.points.size();
   std::vector<Fit_difference> differences(number);
   for_each_index<ConcurrencyTag>(0, number,
