@@ -5,7 +5,9 @@
 
 #include <CGAL/Curvature_aware_simplification_3/internal/Cloud.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Distinct_samples.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/Scan.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/features.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/lattice_spacing.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/parameters.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/relax_on_surface.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/relax_repeatedly.h>
@@ -50,7 +52,15 @@ struct Stages
           CGAL::parameters::number_of_output_points(size / 10).number_of_iterations(1), size)),
       samples(distinct_samples<Tag>(cloud, select_points<Tag>(cloud, features, parameters)).points),
       radius(radius_in_spacings * sample_spacing<Tag>(samples)),
-      fit{search, cloud.size()}
+      fit{search, cloud.size()},
+      scan{cloud.points,
+           nullptr,
+           features.inverse_density,
+           uniform_noise(0., cloud.size()),
+           cloud.coordinate_error,
+           area_of_surface<Tag>(features.inverse_density),
+           {},
+           false}
   {}
 
   std::vector<Point> points;
@@ -61,6 +71,7 @@ struct Stages
   std::vector<Point> samples;
   double radius;
   Surface_fit fit;
+  Scan scan;
   std::vector<Surface_sample>
       surface_samples; // by the projection, before the first relaxation step
 };
@@ -141,9 +152,7 @@ void sampling_density(benchmark::State& state)
           {
     benchmark::DoNotOptimize(
         CGAL::Curvature_aware_simplification_3::internal::sampling_density<Tag>(
-            s.cloud.points, s.features.inverse_density, s.samples.size(), 2. / 3.,
-            uniform_noise(0., s.cloud.size()), s.cloud.coordinate_error, Adaptive_settings(),
-            Progress(no_callback)));
+            s.scan, s.samples.size(), 2. / 3., Adaptive_settings(), Progress(no_callback)));
   });
 }
 

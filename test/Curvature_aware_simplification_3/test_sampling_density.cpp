@@ -5,7 +5,9 @@
 #include <CGAL/Curvature_aware_simplification_3/internal/Cloud.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Curve_ranges.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Neighbor_search.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/Scan.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/features.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/lattice_spacing.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/median.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/sampling_density.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/scale_to_number.h>
@@ -33,11 +35,18 @@ using namespace inputs;
 Sampling_density density_of(const Cloud& cloud, std::size_t n, double alpha, double noise)
 {
   const Neighbor_search search(cloud.points, Tag());
-  const Features features = compute_features<Tag, CGAL::Default_diagonalize_traits<double, 3>>(
+  Features features = compute_features<Tag, CGAL::Default_diagonalize_traits<double, 3>>(
       cloud, search, 16, Progress(no_callback));
-  return sampling_density<Tag>(cloud.points, features.inverse_density, n, alpha,
-                               uniform_noise(cloud.frame.length_to_frame(noise), cloud.size()),
-                               cloud.coordinate_error, Adaptive_settings(), Progress(no_callback));
+  const double area = area_of_surface<Tag>(features.inverse_density);
+  const Scan scan{cloud.points,
+                  nullptr,
+                  std::move(features.inverse_density),
+                  uniform_noise(cloud.frame.length_to_frame(noise), cloud.size()),
+                  cloud.coordinate_error,
+                  area,
+                  {},
+                  false};
+  return sampling_density<Tag>(scan, n, alpha, Adaptive_settings(), Progress(no_callback));
 }
 
 TEST(Sampling_density, integrates_to_the_number_of_samples)

@@ -97,15 +97,18 @@ inline Fits_of_all_sizes fits_of_all_sizes(const Surface_fit& fit, const Surface
       largest_radius = wide.radius;
     }
   }
+  static thread_local std::vector<Widening> widenings;
+  widenings.clear();
   for (double radius = surface.radius; radius < largest_radius;)
   {
     radius = (std::min)(std::sqrt(2.) * radius, largest_radius);
     const Local_surface narrow = surface;
     if (!widen(fit, wide, radius, neighborhood, surface))
       break;
-    fits.widenings.push_back({((surface.origin - narrow.origin) * surface.n) * surface.n,
-                              narrow.error * narrow.error - surface.error * surface.error});
+    widenings.push_back({((surface.origin - narrow.origin) * surface.n) * surface.n,
+                         narrow.error * narrow.error - surface.error * surface.error});
   }
+  fits.widenings.assign(widenings.begin(), widenings.end()); // all samples have theirs at once
   return fits;
 }
 

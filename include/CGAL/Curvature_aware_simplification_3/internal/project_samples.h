@@ -9,9 +9,9 @@
 #include <CGAL/Curvature_aware_simplification_3/internal/Computation_kernel.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Progress.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Sample_neighbors.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/Scan.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Surface_fit.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Surface_sample.h>
-#include <CGAL/Curvature_aware_simplification_3/internal/clean_scan.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/correct_by_points.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/denoise_samples.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/even_out_samples.h>
@@ -20,7 +20,6 @@
 #include <CGAL/Curvature_aware_simplification_3/internal/move_to_corners.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/move_to_edges.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/parameters.h>
-#include <CGAL/Curvature_aware_simplification_3/internal/prefix_sums.h>
 
 #include <cstddef>
 #include <vector>
@@ -34,7 +33,7 @@ namespace internal {
 // places.
 template <typename ConcurrencyTag>
 void project_samples(std::vector<Surface_sample>& samples, const Sample_neighbors& neighbors,
-                     const Clean_scan& scan, const Surface_fit& fit, const Parameters& parameters,
+                     const Scan& scan, const Surface_fit& fit, const Parameters& parameters,
                      const Progress& progress)
 {
   std::vector<Point> nearest(samples.size());
@@ -52,13 +51,8 @@ void project_samples(std::vector<Surface_sample>& samples, const Sample_neighbor
   if (fit.settings.correct_by_points && !scan.had_many_outliers)
     correct_by_points<ConcurrencyTag>(samples, nearest, neighbors, fit);
   if (fit.settings.move_to_edges)
-  {
-    const std::vector<Point> bent = elements_at<ConcurrencyTag>(
-        indices_where<ConcurrencyTag>(scan.points.size(),
-                                      [&](std::size_t i) { return scan.is_bent[i] != 0; }),
-        scan.points);
-    move_to_edges<ConcurrencyTag>(samples, neighbors, fit, bent, progress.part(0.8, 0.93));
-  }
+    move_to_edges<ConcurrencyTag>(samples, neighbors, fit, scan.bent_points,
+                                  progress.part(0.8, 0.93));
   if (fit.settings.move_to_corners)
     move_to_corners<ConcurrencyTag>(samples, neighbors, fit, progress.part(0.93, 1.));
 }

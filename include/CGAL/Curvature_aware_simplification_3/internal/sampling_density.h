@@ -8,9 +8,8 @@
 
 #include <CGAL/Curvature_aware_simplification_3/internal/Adaptive_settings.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Curve_ranges.h>
-#include <CGAL/Curvature_aware_simplification_3/internal/Noise_levels.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Progress.h>
-#include <CGAL/Curvature_aware_simplification_3/internal/lattice_spacing.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/Scan.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/loops.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/scale_to_number.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/surface_curvature.h>
@@ -43,17 +42,11 @@ struct Sampling_density
 // alpha = p / (p + 1): 1/2 for the mean error (p = 1), 1 for the largest one; 2/3, for p = 2, is
 // between the two. With alpha = 0, the density is the same everywhere.
 template <typename ConcurrencyTag>
-Sampling_density sampling_density(const std::vector<Point>& points,
-                                  const std::vector<double>& inverse_density,
-                                  std::size_t number_of_samples, double alpha,
-                                  const Noise_levels& noise, double coordinate_error,
+Sampling_density sampling_density(const Scan& scan, std::size_t number_of_samples, double alpha,
                                   const Adaptive_settings& settings, const Progress& progress)
 {
-  const double number = static_cast<double>(number_of_samples);
-  const double total_area = area_of_surface<ConcurrencyTag>(inverse_density);
-  const Surface_curvature surface = surface_curvature<ConcurrencyTag>(
-      points, inverse_density, number_of_samples, lattice_spacing(number / total_area), noise,
-      coordinate_error, settings, progress);
+  const Surface_curvature surface =
+      surface_curvature<ConcurrencyTag>(scan, number_of_samples, settings, progress);
   const Curve_ranges& ranges = surface.ranges;
 
   // Bounded from below by a part of the mean, with what noise may hide. Without that, the few
@@ -65,7 +58,7 @@ Sampling_density sampling_density(const std::vector<Point>& points,
     return surface.area[i] * std::pow(surface.possible_curvature[i], order_of_mean);
                                 },
                                 std::plus<double>()) /
-      total_area;
+      scan.area;
   const double least =
       mean_power > 0. ? settings.least_curvature * std::pow(mean_power, 1. / order_of_mean) : 1.;
   std::vector<double> density(ranges.number), weight(ranges.number);
@@ -75,7 +68,8 @@ Sampling_density sampling_density(const std::vector<Point>& points,
     const double curvature = surface.curvature[i];
     density[i] = std::pow(curvature * curvature + least * least, alpha / 2.);
   });
-  scale_to_number<ConcurrencyTag>(density, number, ranges, surface.area, settings.densest);
+  scale_to_number<ConcurrencyTag>(density, static_cast<double>(number_of_samples), ranges,
+                                  surface.area, settings.densest);
   for_each_index<ConcurrencyTag>(
       0, ranges.number, [&](std::size_t i) { weight[i] = density[i] * surface.area_of_point[i]; });
   return {ranges, std::move(density), std::move(weight)};

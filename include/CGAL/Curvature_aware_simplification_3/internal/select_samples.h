@@ -9,9 +9,9 @@
 #include <CGAL/Curvature_aware_simplification_3/internal/Adaptive_settings.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Noise_levels.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Progress.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/Scan.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Surface_fit.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Surface_sample.h>
-#include <CGAL/Curvature_aware_simplification_3/internal/clean_scan.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/fit_to_neighbors.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/lattice_spacing.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/loops.h>
@@ -29,14 +29,13 @@ namespace internal {
 // One sample for each point asked for, on points of the scan that are selected with the wanted
 // density. They have no surface yet.
 template <typename ConcurrencyTag>
-std::vector<Surface_sample> select_samples(const Clean_scan& scan, const Parameters& parameters,
+std::vector<Surface_sample> select_samples(const Scan& scan, const Parameters& parameters,
                                            const Adaptive_settings& settings,
                                            const Progress& progress)
 {
   const std::size_t number_of_samples = parameters.number_of_output_points;
   const Sampling_density wanted = sampling_density<ConcurrencyTag>(
-      scan.points, scan.inverse_density, number_of_samples, parameters.adaptivity, scan.noise,
-      scan.coordinate_error, settings, progress);
+      scan, number_of_samples, parameters.adaptivity, settings, progress);
   const std::vector<std::size_t> selected = select_along_curve<ConcurrencyTag>(
       wanted.ranges, wanted.weight, number_of_samples, parameters.random_seed);
   std::vector<Surface_sample> samples(number_of_samples);

@@ -68,20 +68,23 @@ Distinct_samples simplify_adaptively(Cloud cloud, std::unique_ptr<Neighbor_searc
   if (cloud.size() < fewest_points_to_fit)
     return select_without_moving<ConcurrencyTag>(cloud.points, parameters);
   const Frame frame = cloud.frame;
-  Clean_scan scan = clean_scan<ConcurrencyTag, DiagonalizeTraits>(
+  Scan scan = clean_scan<ConcurrencyTag, DiagonalizeTraits>(
       std::move(cloud), std::move(search), parameters, settings, progress.part(0., 0.4), report);
-  report.output_spacing = frame.length_from_frame(scan.spacing_of_samples);
+  report.output_spacing =
+      frame.length_from_frame(scan.spacing_of(parameters.number_of_output_points));
   if (scan.points.size() < fewest_points_to_fit)
     return select_without_moving<ConcurrencyTag>(scan.points, parameters);
 
   Stopwatch stopwatch;
   std::vector<Surface_sample> samples =
       select_samples<ConcurrencyTag>(scan, parameters, settings, progress.part(0.4, 0.5));
+  const std::size_t number_of_points = scan.points.size();
+  scan.points = std::vector<Point>(); // from here on, fits take them from the search
   scan.inverse_density = std::vector<double>();
   report.selection_time = stopwatch.lap();
 
   // each sample has its own noise
-  const Surface_fit fit{*scan.search, scan.points.size(), no_noise, settings};
+  const Surface_fit fit{*scan.search, number_of_points, no_noise, settings};
   place_on_surface<ConcurrencyTag>(samples, fit, progress.part(0.5, 0.6));
   const Sample_neighbors neighbors =
       relax_on_surface<ConcurrencyTag>(samples, fit, parameters.number_of_iterations,

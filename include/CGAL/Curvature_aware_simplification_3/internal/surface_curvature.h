@@ -10,6 +10,7 @@
 #include <CGAL/Curvature_aware_simplification_3/internal/Curve_ranges.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Noise_levels.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Progress.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/Scan.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Surface_balls.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/loops.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/mean_over_balls.h>
@@ -104,20 +105,18 @@ inline double area_of_point(const Deviation& deviation)
 // of the covariance for R^2 / 2. From lambda_0, sigma^2 is taken off for the noise. R is 3 sigma at
 // least; what is sparse or dense has larger or smaller balls.
 template <typename ConcurrencyTag>
-Surface_curvature surface_curvature(const std::vector<Point>& points,
-                                    const std::vector<double>& inverse_density,
-                                    std::size_t number_of_samples, double spacing,
-                                    const Noise_levels& noise, double coordinate_error,
+Surface_curvature surface_curvature(const Scan& scan, std::size_t number_of_samples,
                                     const Adaptive_settings& settings, const Progress& progress)
 {
   // Ranges of the Hilbert curve, about one for each sample, represented by the point in its middle.
   // Each is two pieces, unless these would be of fewer than two points, which saves nothing.
-  const std::size_t n = points.size();
+  const std::size_t n = scan.points.size();
   const Curve_ranges ranges{(std::min)({n, number_of_samples, Curve_ranges::most / 2}), n};
   const std::size_t pieces_in_range = n / ranges.number < 4 ? 1 : 2;
-  const std::vector<Surface_piece> pieces =
-      surface_pieces<ConcurrencyTag>(points, inverse_density, pieces_in_range * ranges.number);
+  const std::vector<Surface_piece> pieces = surface_pieces<ConcurrencyTag>(
+      scan.points, scan.inverse_density, pieces_in_range * ranges.number);
 
+  const double radius = settings.curvature_radius * scan.spacing_of(number_of_samples);
   Surface_curvature result(ranges);
   std::vector<Point> centers(ranges.number);
   std::vector<const Noise*> noise_of_range(ranges.number);
@@ -126,14 +125,14 @@ Surface_curvature surface_curvature(const std::vector<Point>& points,
                                  [&](std::size_t i)
                                  {
     const std::size_t middle = ranges.first_point(i) + ranges.size(i) / 2;
-    centers[i] = points[middle];
-    noise_of_range[i] = &noise.at(middle);
+    centers[i] = scan.points[middle];
+    noise_of_range[i] = &scan.noise.at(middle);
     for (std::size_t piece = pieces_in_range * i; piece < pieces_in_range * (i + 1); ++piece)
       result.area[i] += pieces[piece].area;
     const double in_range = static_cast<double>(pieces_in_range);
-    const std::size_t wanted = pieces_in_ball(
-        (std::max)(settings.curvature_radius * spacing, 3. * noise_of_range[i]->level),
-        result.area[i] / in_range, static_cast<double>(ranges.size(i)) / in_range);
+    const std::size_t wanted =
+        pieces_in_ball((std::max)(radius, 3. * noise_of_range[i]->level), result.area[i] / in_range,
+                       static_cast<double>(ranges.size(i)) / in_range);
     number_of_pieces[i] = (std::min)(wanted, pieces.size());
   });
   const Surface_balls balls(centers, pieces, number_of_pieces, progress, ConcurrencyTag());
@@ -142,7 +141,7 @@ Surface_curvature surface_curvature(const std::vector<Point>& points,
                                  [&](std::size_t i)
                                  {
     const Deviation deviation =
-        deviation_from_plane(pieces, balls.of(i), centers[i], coordinate_error);
+        deviation_from_plane(pieces, balls.of(i), centers[i], scan.coordinate_error);
     const Local_curvature local = curvature_of(deviation, *noise_of_range[i]);
     result.curvature[i] = local.curvature;
     result.possible_curvature[i] = local.possible_curvature;

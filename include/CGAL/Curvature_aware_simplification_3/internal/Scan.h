@@ -1,0 +1,46 @@
+// Copyright (c) 2026 The authors of Curvature_aware_simplification_3.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_SCAN_H
+#define CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_SCAN_H
+
+#include <CGAL/Curvature_aware_simplification_3/internal/Neighbor_search.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/Noise_levels.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/lattice_spacing.h>
+
+#include <cstddef>
+#include <memory>
+#include <vector>
+
+namespace CGAL {
+namespace Curvature_aware_simplification_3 {
+namespace internal {
+
+// What the stages that place samples see of the input: without outliers, and with less noise where
+// it was visible
+struct Scan
+{
+  std::vector<Point> points; // along the Hilbert curve
+  std::unique_ptr<Neighbor_search> search;
+  std::vector<double> inverse_density; // 1 / rho of each point
+  Noise_levels noise;                  // that is left
+  double coordinate_error;             // of the points, from rounding in the input
+  double area;                         // of the surface
+  std::vector<Point> bent_points;      // at which there may be an edge
+  // Then some were not found, and the point nearest to a sample may be one.
+  bool had_many_outliers;
+
+  // of that many samples, in the mean
+  double spacing_of(std::size_t number_of_samples) const
+  {
+    return lattice_spacing(static_cast<double>(number_of_samples) / area);
+  }
+};
+
+} // namespace internal
+} // namespace Curvature_aware_simplification_3
+} // namespace CGAL
+
+#endif // CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_SCAN_H
