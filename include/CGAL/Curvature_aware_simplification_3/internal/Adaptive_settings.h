@@ -106,8 +106,9 @@ struct Adaptive_settings
   int moves_to_foot_point = 3;
   // With noise, each sample moves towards wider fits, as far as noise explains the difference.
   bool denoise = true;
-  // The most points of these wider fits: twice those of the largest neighborhood of other fits. Then
-  // noise is down to sigma / 10. With half as many, the error with noise is 5 % larger (ablation).
+  // The most points of these wider fits: twice those of the largest neighborhood of other fits.
+  // Then noise is down to sigma / 10. With half as many, the error with noise is 5 % larger
+  // (ablation).
   std::size_t points_of_widest_fit = 578;
   // What narrower fits have missed of the shape, over what the next wider one misses beyond: 1 /
   // (2^(3/2) - 1) if shape grows like the 3/2 power of the number of neighbors, as a cubic does.

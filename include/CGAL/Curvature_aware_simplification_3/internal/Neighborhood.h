@@ -125,15 +125,18 @@ struct Neighborhood
     return center + found->position;
   }
 
-  void weight_by_distance()
+  // The weights vanish at the border of the ball, or at a distance of `support` that is larger.
+  void weight_by_distance() { weight_by_distance(radius); }
+
+  void weight_by_distance(double support)
   {
-    weight_by_distance([](const Neighbor& neighbor) { return neighbor.squared_distance; });
+    weight_by_distance(support, [](const Neighbor& neighbor) { return neighbor.squared_distance; });
   }
 
   template <typename Squared_distance>
-  void weight_by_distance(const Squared_distance& squared_distance)
+  void weight_by_distance(double support, const Squared_distance& squared_distance)
   {
-    const Weight_by_distance weight(radius);
+    const Weight_by_distance weight(support);
     for (Neighbor& neighbor : neighbors)
       neighbor.weight = weight(squared_distance(neighbor));
   }

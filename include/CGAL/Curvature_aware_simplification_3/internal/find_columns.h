@@ -76,6 +76,8 @@ std::vector<double> find_columns(const Noise_probes& probes, const std::vector<s
                                  const std::vector<Layer>& narrow, const std::vector<Layer>& wide)
 {
   constexpr double steep = 0.3; // lines of a scan are in the surface
+  // Layers that are exactly flat, but for rounding: by that of single precision, points 1e-4 of the
+  // extent of the input apart are 6e-4 of their distance off.
   constexpr double flat = 1e-3;
   std::vector<double> radii(probes.of_range.size(), 0.);
   if (2 * around > search.size()) // they are the scan, and not a part of its surface

@@ -109,9 +109,9 @@ inline Vector common_normal(const std::vector<Facet>& facets, double tolerance)
 inline bool is_on_steps(const Facet& facet, const Depth_levels& levels,
                         const Neighbor_search& search)
 {
-  // The layers of a lattice are 1.13 spacings apart, as its 8 nearest points tell these, and are no
-  // steps. To those who measure noise, smaller steps are like noise. Larger ones leave too little
-  // of the surface.
+  // The layers of a lattice of points are 1.13 spacings apart, as its 8 nearest points tell these,
+  // and are no steps. Steps that are smaller still need not be undone: they are measured and
+  // smoothed as noise. Of larger ones, too few levels are left to tell the surface between them.
   constexpr double smallest = 1.2, largest = 10.; // in spacings of the points
   constexpr double radius = 3.;                   // in steps: a ball of that radius holds several
   // The cosines of 80 degrees and of 10: no walls, whose points may be in rows, and no faces, of

@@ -82,8 +82,8 @@ inline double width_across_parabola(const Neighborhood& neighborhood, const Loca
   return neighborhood.radius * std::sqrt((std::max)(left, 0.) / matrix(0, 0));
 }
 
-// Whether the neighbors are on one line that bends, maybe more than a parabola tells: with as few as
-// 19, chance would decide. The neighbors are left weighted by their distance.
+// Whether the neighbors are on one line that bends, maybe more than a parabola tells: with as few
+// as 19, chance would decide. The neighbors are left weighted by their distance.
 inline bool is_on_bent_line(Neighborhood& neighborhood, const Local_surface& surface)
 {
   if (neighborhood.is_along_curve())

@@ -22,8 +22,8 @@ namespace internal {
 // samples for each input point: a denser result could show no more than the points do. If all
 // together are asked for more than that, all get more.
 //
-// What the limit takes away goes to all others: with the limits L_i, areas A_i, and wanted densities
-// w_i, the scale t solves
+// What the limit takes away goes to all others: with the limits L_i, areas A_i, and wanted
+// densities w_i, the scale t solves
 //   sum A_i min(t w_i, L_i) = number.
 // The sum is concave in t, so that the steps of Newton's method from t = 0 never pass the solution;
 // they have arrived when a step leaves no more ranges at their limits.

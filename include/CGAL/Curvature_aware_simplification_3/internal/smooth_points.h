@@ -53,9 +53,9 @@ inline double variance_of_residuals(const Neighborhood& neighborhood, const Loca
 }
 
 // How much of the way from a point to the foot point brings it nearer to the surface: 1 where the
-// variance s^2 of the residuals is no more than noise by chance, f sigma^2; beyond, f sigma^2 / s^2,
-// which is f times the gain of Lee's filter for images, so that there is no jump. On a sharp edge,
-// a quadric is off by as much as they are, and the point itself by sigma only.
+// variance s^2 of the residuals is no more than noise by chance, f sigma^2; beyond, f sigma^2 /
+// s^2, which is f times the gain of Lee's filter for images, so that there is no jump. On a sharp
+// edge, a quadric is off by as much as they are, and the point itself by sigma only.
 inline double share_explained_by_noise(const Surface_fit& fit, double residual_variance)
 {
   const double explained =
@@ -81,8 +81,7 @@ inline Smoothed_point smooth_point(const Surface_fit& fit, const Point& x, doubl
   // The center is a noisy point itself: were the weights to fall within a few sigma, points with
   // the same error would count most, and confirm it. Where noise is small against the distances of
   // the points, they fall as in other fits.
-  neighborhood.radius = (std::max)(neighborhood.radius, 2. * radius);
-  neighborhood.weight_by_distance();
+  neighborhood.weight_by_distance((std::max)(neighborhood.radius, 2. * radius));
   Local_surface surface;
   // further than that, noise hardly carries a point: it is on another sheet, or the fit is wrong
   const double farthest = 4. * fit.noise.level;

@@ -52,8 +52,7 @@ inline bool fit_smoothing_quadric(const Neighborhood& wide, const Point& center,
 {
   static thread_local Neighborhood neighborhood;
   neighborhood.take_within(wide, center, radius);
-  neighborhood.radius = 2. * radius;
-  neighborhood.weight_by_distance();
+  neighborhood.weight_by_distance(2. * radius);
   return fit_quadric_over_plane(neighborhood, sigma, surface) && surface.error < sigma;
 }
 

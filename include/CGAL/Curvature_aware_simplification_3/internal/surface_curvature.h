@@ -101,9 +101,9 @@ inline double area_of_point(const Deviation& deviation)
 }
 
 // The curvature at the distance of the samples, by how far the points of a ball are off a plane: in
-// balls with a radius R of 1.5 spacings, it is sqrt(lambda_0) / R^2 up to a constant, with the trace
-// of the covariance for R^2 / 2. From lambda_0, sigma^2 is taken off for the noise. R is 3 sigma at
-// least; what is sparse or dense has larger or smaller balls.
+// balls with a radius R of 1.5 spacings, it is sqrt(lambda_0) / R^2 up to a constant, with the
+// trace of the covariance for R^2 / 2. From lambda_0, sigma^2 is taken off for the noise. R is 3
+// sigma at least; what is sparse or dense has larger or smaller balls.
 template <typename ConcurrencyTag>
 Surface_curvature surface_curvature(const Scan& scan, std::size_t number_of_samples,
                                     const Adaptive_settings& settings, const Progress& progress)
