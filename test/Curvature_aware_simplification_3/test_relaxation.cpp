@@ -73,24 +73,24 @@ TEST(Repulsion, is_the_weighted_mean_of_the_directions_away)
   // (1 - 1/16)^6 / 0.5 and (1 - 1/4)^6 / 1; above, of equal spacing; beyond two spacings
   const std::vector<Point> points = {Point(1., 0., 0.), Point(0., 2., 0.), Point(0., 0., 1.),
                                      Point(4., 0., 0.)};
-  const std::vector<double> spacings(4, 2.);
+  const std::vector<double> squares(4, 4.); // of the spacings
   const Adaptive_settings settings;
   const auto repulsion = [&](std::vector<std::size_t> neighbors, const std::vector<double>& s)
   { return tangential_repulsion(x, neighbors, points, s, settings); };
-  EXPECT_NEAR((repulsion({0}, spacings) - Vector(-1., 0., 0.)).squared_length(), 0., 1e-28);
-  EXPECT_EQ(repulsion({3}, spacings), Vector(0., 0., 0.));
-  EXPECT_EQ(repulsion({}, spacings), Vector(0., 0., 0.));
+  EXPECT_NEAR((repulsion({0}, squares) - Vector(-1., 0., 0.)).squared_length(), 0., 1e-28);
+  EXPECT_EQ(repulsion({3}, squares), Vector(0., 0., 0.));
+  EXPECT_EQ(repulsion({}, squares), Vector(0., 0., 0.));
   const double w0 = 1.3579, w1 = 0.17798; // (15/16)^6 * 2, (3/4)^6
-  const Vector both = repulsion({0, 1}, spacings);
+  const Vector both = repulsion({0, 1}, squares);
   EXPECT_NEAR(both.x(), -w0 / (w0 + w1), 1e-4);
   EXPECT_NEAR(both.y(), -2. * w1 / (w0 + w1), 1e-4);
   // one neighbor alone, with less weight than those of a lattice, pushes by its share
-  EXPECT_NEAR(repulsion({1}, spacings).y(), -2. * w1, 1e-4);
+  EXPECT_NEAR(repulsion({1}, squares).y(), -2. * w1, 1e-4);
   // phi: the square of the other's spacing
-  const Vector sparse = repulsion({0, 1}, {2., 4., 2., 2.});
+  const Vector sparse = repulsion({0, 1}, {4., 16., 4., 4.});
   EXPECT_NEAR(sparse.x(), -w0 / (w0 + 4. * w1), 1e-4);
   // heights count twice: 0.5 spacings above are as far as 1 beside, and push nowhere
-  const Vector above = repulsion({0, 2}, spacings);
+  const Vector above = repulsion({0, 2}, squares);
   EXPECT_NEAR(above.x(), -w0 / (w0 + w1), 1e-4);
   EXPECT_NEAR(above.z(), 0., 1e-15);
 }

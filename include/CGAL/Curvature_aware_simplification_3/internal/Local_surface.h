@@ -7,6 +7,7 @@
 #define CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_LOCAL_SURFACE_H
 
 #include <CGAL/Curvature_aware_simplification_3/internal/Computation_kernel.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/Lanes.h>
 
 #include <cmath>
 #include <cstddef>
@@ -31,13 +32,17 @@ struct Local_surface
   double error = 0.;         // standard deviation of c0 caused by noise
   double amplification = 0.; // the same over that of one point, for independent noise
 
-  double height(double a, double b) const
+  // The height over (a, b); of two places at once as well, see Lanes
+  template <typename Number>
+  Number height(const Number& a, const Number& b) const
   {
     return c[0] + c[1] * a + c[2] * b + c[3] * a * a + c[4] * a * b + c[5] * b * b;
   }
 
   // of a point with the position `d` relative to the origin: its distance along n
   double residual(const Vector& d) const { return d * n - height(d * u, d * v); }
+
+  Lanes residual(const Vector_lanes& d) const { return d * n - height<Lanes>(d * u, d * v); }
 
   Point point(double a, double b) const { return origin + a * u + b * v + height(a, b) * n; }
 

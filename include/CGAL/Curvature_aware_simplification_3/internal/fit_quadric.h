@@ -6,6 +6,7 @@
 #ifndef CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_FIT_QUADRIC_H
 #define CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_FIT_QUADRIC_H
 
+#include <CGAL/Curvature_aware_simplification_3/internal/Lanes.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Local_surface.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Neighborhood.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/principal_axes.h>
@@ -37,9 +38,6 @@ struct Normal_equations
 template <int n>
 Normal_equations<n> normal_equations(const Neighborhood& neighborhood, const Local_surface& surface)
 {
-  // Two neighbors at once, one in each lane of a vector register; the last may be alone. With one
-  // after the other, a noisy call takes 4 % longer.
-  using Lanes = Eigen::Array2d;
   Lanes matrix[n][n], right[n], squares = Lanes::Zero();
   for (int i = 0; i < n; ++i)
   {
@@ -51,15 +49,12 @@ Normal_equations<n> normal_equations(const Neighborhood& neighborhood, const Loc
   const std::vector<Neighborhood::Neighbor>& neighbors = neighborhood.neighbors;
   for (std::size_t k = 0; k < neighbors.size(); k += 2)
   {
-    const bool is_pair = k + 1 < neighbors.size();
+    const bool is_pair = k + 1 < neighbors.size(); // the last may be alone
     const Neighborhood::Neighbor& p = neighbors[k];
     const Neighborhood::Neighbor& q = neighbors[is_pair ? k + 1 : k];
     const Lanes w(p.weight, is_pair ? q.weight : 0.);
-    const Lanes x(p.position.x(), q.position.x()), y(p.position.y(), q.position.y()),
-        z(p.position.z(), q.position.z());
-    const auto along = [&](const Vector& axis) -> Lanes
-    { return x * axis.x() + y * axis.y() + z * axis.z(); };
-    const Lanes a = along(u), b = along(v), h = along(normal);
+    const Vector_lanes d(p.position, q.position);
+    const Lanes a = d * u, b = d * v, h = d * normal;
     const Lanes f[6] = {Lanes::Ones(), a, b, a * a, a * b, b * b};
     for (int i = 0; i < n; ++i)
     {

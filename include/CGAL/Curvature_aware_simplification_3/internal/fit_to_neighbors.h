@@ -6,6 +6,7 @@
 #ifndef CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_FIT_TO_NEIGHBORS_H
 #define CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_FIT_TO_NEIGHBORS_H
 
+#include <CGAL/Curvature_aware_simplification_3/internal/Lanes.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Surface_fit.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/fit_quadric.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/median.h>
@@ -20,29 +21,54 @@ namespace CGAL {
 namespace Curvature_aware_simplification_3 {
 namespace internal {
 
-// Nearly Welsch's weight exp(-e^2 / 2) with e in units of 2.5 standard deviations, as (1 - e^2 /
-// 32)^16, which takes less time: 97 % of the efficiency of least squares for Gaussian noise, and
-// nothing left of what is 8 standard deviations away
-inline constexpr double residual_scale = 2.5;
-
-inline double robust_weight(double residual, double spread, double scale = residual_scale)
+// Nearly Welsch's weight exp(-e^2 / 2) with e in units of `scale` standard deviations, as (1 - e^2
+// / 32)^16, which takes less time. With 2.5, it has 97 % of the efficiency of least squares for
+// Gaussian noise, and nothing is left of what is 8 standard deviations away.
+class Robust_weight
 {
-  const double e = residual / (scale * spread);
-  const double base = (std::max)(1. - e * e / 32., 0.);
-  const double base2 = base * base, base4 = base2 * base2, base8 = base4 * base4;
-  return base8 * base8;
+public:
+  explicit Robust_weight(double spread, double scale = 2.5)
+    : m_factor(1. / (std::sqrt(32.) * scale * spread))
+  {}
+
+  double operator()(double residual) const
+  {
+    const double e = m_factor * residual;
+    const double base = (std::max)(0., 1. - e * e);
+    const double base2 = base * base, base4 = base2 * base2, base8 = base4 * base4;
+    return base8 * base8;
+  }
+
+private:
+  double m_factor;
+};
+
+// The heights of the neighbors over a surface
+inline void find_residuals(const Neighborhood& neighborhood, const Local_surface& surface,
+                           std::vector<double>& residuals)
+{
+  const std::vector<Neighborhood::Neighbor>& neighbors = neighborhood.neighbors;
+  residuals.resize(neighbors.size());
+  for (std::size_t k = 0; k < neighbors.size(); k += 2)
+  {
+    const std::size_t next = (std::min)(k + 1, neighbors.size() - 1); // the last may be alone
+    const Lanes residual =
+        surface.residual(Vector_lanes(neighbors[k].position, neighbors[next].position));
+    residuals[next] = residual[1];
+    residuals[k] = residual[0];
+  }
 }
 
 // Standard deviation of the residuals, from their median: no outlier and no second sheet moves it
-inline double residual_spread(const Neighborhood& neighborhood, const Local_surface& surface)
+inline double spread_of(const std::vector<double>& residuals)
 {
-  static thread_local std::vector<double> residuals;
-  residuals.clear();
-  for (const Neighborhood::Neighbor& neighbor : neighborhood.neighbors)
-    residuals.push_back(std::abs(surface.residual(neighbor.position)));
-  const double n = static_cast<double>(residuals.size());
+  static thread_local std::vector<double> sizes;
+  sizes.resize(residuals.size());
+  std::transform(residuals.begin(), residuals.end(), sizes.begin(),
+                 [](double residual) { return std::abs(residual); });
+  const double n = static_cast<double>(sizes.size());
   // 1.4826: standard deviation over median of |x| for Gaussian x; the quadric used up 5 + 1
-  return 1.4826 * median(residuals) * std::sqrt(n / (std::max)(n - 5., 1.));
+  return 1.4826 * median(sizes) * std::sqrt(n / (std::max)(n - 5., 1.));
 }
 
 // Standard deviation of the height of a fit. `error` is what it would be for independent noise.
@@ -114,14 +140,17 @@ inline constexpr int rounds_to_stay = 2;
 inline void reweight_and_fit(const Surface_fit& fit, bool starts_sample, int rounds,
                              Neighborhood& neighborhood, Local_surface& surface)
 {
+  static thread_local std::vector<double> residuals;
   for (int round = 0; round < rounds; ++round)
   {
-    surface.spread = (std::max)(residual_spread(neighborhood, surface), fit.noise.level);
+    find_residuals(neighborhood, surface, residuals);
+    surface.spread = (std::max)(spread_of(residuals), fit.noise.level);
     if (!(surface.spread > 0.))
       return;
     weight_for_quadric(starts_sample, neighborhood);
-    for (Neighborhood::Neighbor& neighbor : neighborhood.neighbors)
-      neighbor.weight *= robust_weight(surface.residual(neighbor.position), surface.spread);
+    const Robust_weight weight(surface.spread);
+    for (std::size_t i = 0; i < residuals.size(); ++i)
+      neighborhood.neighbors[i].weight *= weight(residuals[i]);
     if (!fit_quadric(fit, neighborhood, surface))
       return;
     if (!fit.noise.is_visible)

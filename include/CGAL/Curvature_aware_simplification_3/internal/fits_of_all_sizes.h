@@ -42,9 +42,11 @@ inline bool widen(const Surface_fit& fit, const Neighborhood& wide, double radiu
   // are lost.
   const double spread =
       fit.points_share_noise() ? (std::max)(surface.spread, 2. * fit.noise.level) : surface.spread;
-  for (Neighborhood::Neighbor& neighbor : neighborhood.neighbors)
-    neighbor.weight *=
-        robust_weight(surface.residual(neighbor.position), spread, residual_scale_of_wider);
+  static thread_local std::vector<double> residuals;
+  find_residuals(neighborhood, surface, residuals);
+  const Robust_weight weight(spread, residual_scale_of_wider);
+  for (std::size_t i = 0; i < residuals.size(); ++i)
+    neighborhood.neighbors[i].weight *= weight(residuals[i]);
   Local_surface wider = surface;
   wider.radius = neighborhood.radius;
   wider.neighbors = neighborhood.size();

@@ -7,6 +7,7 @@
 #define CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_REPEL_SAMPLES_H
 
 #include <CGAL/Curvature_aware_simplification_3/internal/Adaptive_settings.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/Lanes.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Progress.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Sample_neighbors.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Surface_sample.h>
@@ -15,6 +16,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <vector>
 
 namespace CGAL {
@@ -30,31 +32,37 @@ namespace internal {
 // of the samples tends to what is wanted, 1 / s^2; it falls with the curvature as in eq. 3 and 4.
 template <typename Neighbors>
 Vector tangential_repulsion(const Surface_sample& x, const Neighbors& neighbors,
-                            const std::vector<Point>& points, const std::vector<double>& spacings,
+                            const std::vector<Point>& points,
+                            const std::vector<double>& squared_spacings,
                             const Adaptive_settings& settings)
 {
   const Vector normal = x.normal();
   const double inverse = 1. / (x.spacing * x.spacing);
   const double inverse_reach = 1. / (settings.reach_of_repulsion * settings.reach_of_repulsion);
-  Vector sum(0., 0., 0.); // its part along the normal is taken off once, at the end
-  double weight = 0.;
-  for (std::size_t i : neighbors)
+  Lanes sum_x = Lanes::Zero(), sum_y = Lanes::Zero(), sum_z = Lanes::Zero();
+  Lanes weights = Lanes::Zero();
+  for (auto neighbor = neighbors.begin(); neighbor != neighbors.end();)
   {
-    const Vector d = x.point - points[i];
-    const double h = d * normal;
-    const double squared_distance = d.squared_length() + (settings.weight_of_height - 1.) * h * h;
-    const double rho2 = squared_distance * inverse;
-    const double base = 1. - inverse_reach * rho2;
-    if (!(base > 0. && rho2 > 0.)) // of a sample at the same place, no direction leads away
-      continue;
-    const double base3 = base * base * base;
-    const double theta = base3 * base3;
-    const double phi = spacings[i] * spacings[i] * inverse;
-    const double beta = theta * phi / std::sqrt(rho2);
-    sum = sum + beta * d;
-    weight += beta;
+    const std::size_t i = *neighbor++;
+    const bool is_pair = neighbor != neighbors.end(); // the last may be alone
+    const std::size_t j = is_pair ? *neighbor++ : i;
+    const Vector_lanes d(x.point - points[i], x.point - points[j]);
+    const Lanes h = d * normal;
+    const Lanes rho2 = inverse * (d.squared_length() + (settings.weight_of_height - 1.) * h * h);
+    const Lanes base = (1. - inverse_reach * rho2).max(0.);
+    const Lanes base3 = base * base * base;
+    // of a sample at the same place, no direction leads away
+    const Lanes phi = inverse * Lanes(rho2[0] > 0. ? squared_spacings[i] : 0.,
+                                      is_pair && rho2[1] > 0. ? squared_spacings[j] : 0.);
+    const Lanes beta = base3 * base3 * phi / rho2.max((std::numeric_limits<double>::min)()).sqrt();
+    sum_x += beta * d.x;
+    sum_y += beta * d.y;
+    sum_z += beta * d.z;
+    weights += beta;
   }
-  sum = sum - (sum * normal) * normal;
+  Vector sum(sum_x.sum(), sum_y.sum(), sum_z.sum());
+  sum = sum - (sum * normal) * normal; // once is enough
+  double weight = weights.sum();
   // In a lattice of spacing s, the weights add up to 6 (3/4)^6 = 1.07. Few and far neighbors push
   // less: divided by less, one at the end of the reach would push as six around do, and where noise
   // makes the spacings differ, samples would jump to and fro.
@@ -74,17 +82,17 @@ inline Vector limited_step(const Vector& step, double spacing)
 struct Sample_positions
 {
   std::vector<Point> points;
-  std::vector<double> spacings;
+  std::vector<double> squared_spacings;
 
   template <typename ConcurrencyTag>
   Sample_positions(const std::vector<Surface_sample>& samples, const ConcurrencyTag&)
-    : points(samples.size()), spacings(samples.size())
+    : points(samples.size()), squared_spacings(samples.size())
   {
     for_each_index<ConcurrencyTag>(0, samples.size(),
                                    [&](std::size_t i)
                                    {
       points[i] = samples[i].point;
-      spacings[i] = samples[i].spacing;
+      squared_spacings[i] = samples[i].spacing * samples[i].spacing;
     });
   }
 };
@@ -111,7 +119,7 @@ double repel_samples(std::vector<Surface_sample>& samples, Sample_positions& pos
       const std::size_t i = turn + n * turns;
       Surface_sample& x = samples[i];
       move(x, weight * tangential_repulsion(x, neighbors.of(i), positions.points,
-                                            positions.spacings, settings));
+                                            positions.squared_spacings, settings));
       moved[i] = std::sqrt(squared_distance(x.point, positions.points[i])) / x.spacing;
     });
     for_each_index<ConcurrencyTag>(0, number,
