@@ -145,6 +145,18 @@ TEST(Depth_levels, are_not_found_elsewhere)
       slices.emplace_back(r * std::cos(angle), r * std::sin(angle), z);
     }
   inputs.emplace_back("slices of a sphere", slices);
+
+  std::vector<Point> fins, rings, cards;
+  for (int i = 0; i < 40000; ++i)
+  {
+    fins.emplace_back(5. * (i % 16), anywhere(100.), anywhere(30.));
+    cards.emplace_back(3. * (i % 20) + anywhere(30.), 2. * (i % 20) + anywhere(50.), 3. * (i % 20));
+    const double angle = anywhere(2. * CGAL_PI), r = std::sqrt(100. + anywhere(800.));
+    rings.emplace_back(r * std::cos(angle), r * std::sin(angle), 6. * (i % 14));
+  }
+  inputs.emplace_back("fins", fins);
+  inputs.emplace_back("fanned out cards", cards);
+  inputs.emplace_back("rings of an insulator", rings);
   for (const auto& [name, points] : inputs)
   {
     EXPECT_TRUE(depth_levels_of(points).heights.empty()) << name;
