@@ -9,6 +9,7 @@
 #include <CGAL/Curvature_aware_simplification_3/internal/Noise_levels.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Surface_border.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/fit_local_surface.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/is_in_gap.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/loops.h>
 
 #include <cstddef>
@@ -43,24 +44,14 @@ struct Surface_sample
   // first fit replaces.
   Point place(const Surface_fit& fit, Point x, Vector guess, int rounds)
   {
-    // A disk in which so many points are expected is a gap if there is none: three quarters of the
-    // radius for 19 points, which is empty by chance once in 40,000 times. With half as many, the
-    // mean error of clean scans is the same to 1 %, with a third 1 % larger. With noise, points are
-    // off the surface as well.
-    constexpr double points_in_gap = 0.75 * 0.75 * 19., heights_in_noise = 2.;
-
     static thread_local Neighborhood neighborhood;
     fit_and_move(fit, x, guess, rounds, neighborhood);
     if (!(neighborhood.radius > 0.))
       return point;
     const Point nearest = neighborhood.nearest(point);
-    const double n = static_cast<double>(neighborhood.size());
-    const double squared_radius = neighborhood.radius * neighborhood.radius;
-    const double height = heights_in_noise * fit.noise.level;
-    // the points of a curve are 2 R / n apart
-    const double squared_gap =
-        surface.is_curve ? 4. * squared_radius / (n * n) : points_in_gap / n * squared_radius;
-    if (squared_distance(nearest, point) <= squared_gap + height * height)
+    const Points_around around{neighborhood.radius * neighborhood.radius,
+                               static_cast<double>(neighborhood.size())};
+    if (!is_in_gap(fit, point, nearest, around, surface.is_curve))
       return nearest;
     fit_and_move(fit, nearest, guess, rounds, neighborhood);
     return neighborhood.nearest(point);

@@ -46,8 +46,7 @@ void project_samples(std::vector<Surface_sample>& samples, const Sample_neighbor
   if (fit.settings.denoise && scan.noise.is_visible())
     denoise_samples<ConcurrencyTag>(samples, fit, progress.part(0.4, 0.75));
   if (fit.settings.even_out && scan.noise.is_visible())
-    even_out_samples<ConcurrencyTag>(samples, neighbors, parameters, fit.settings,
-                                     progress.part(0.75, 0.8));
+    even_out_samples<ConcurrencyTag>(samples, neighbors, fit, parameters, progress.part(0.75, 0.8));
   if (fit.settings.correct_by_points && !scan.had_many_outliers)
     correct_by_points<ConcurrencyTag>(samples, nearest, neighbors, fit);
   if (fit.settings.move_to_edges)
