@@ -39,10 +39,13 @@ inline bool is_in_gap(const Surface_fit& fit, const Point& x, const Point& neare
   const double height = heights_in_noise * fit.noise.level;
   const double squared_distance_along =
       squared_distance(nearest, x) - height * height; // at least, if it is above 0
-  if (is_curve)                                       // whose points are 2 R / n apart
+  // the points of a curve are 2 R / n apart
+  if (is_curve)
     return squared_distance_along > 4. * around.squared_radius / (around.number * around.number);
   if (squared_distance_along > around.squared_radius_of(points_in_gap))
     return true;
+  // where three or four points are expected: hardly one place in 30 is emptier by chance, which saves
+  // the search for all others
   if (squared_distance_along <= around.squared_radius_of(points_in_gap / 3.))
     return false;
   // Amid a gap, a ball that holds enough points is wide, and the density in it low. That around the
