@@ -38,6 +38,7 @@ IDEAS = [
     ("noise measured around quadrics only", "noise_around_planes=0"),
     ("noise taken from fits that stand on the surface as well", "tell_standing_fits=0"),
     ("noise not limited by what few points show", "limit_noise_by_planes=0"),
+    ("points that are dense against noise not thinned", "thin_dense_noise=0"),
     ("points not smoothed first", "smooth_points=0"),
     ("points smoothed in the same balls whatever the shape", "smooth_by_shape=0"),
     ("points smoothed all the same where fits miss the shape",

@@ -51,6 +51,8 @@ struct Adaptive_settings
   // part, even if quadrics see only both.
   bool limit_noise_by_planes = true;
 
+  // Points that are too dense against noise are thinned first.
+  bool thin_dense_noise = true;
   // With noise, points are first smoothed one by one.
   bool smooth_points = true;
   // They are so in balls as wide as the shape allows, as it is seen around places of each range.

@@ -25,6 +25,7 @@
 #include <CGAL/Curvature_aware_simplification_3/internal/remove_outliers.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/shared_features.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/smooth_scan.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/thin_dense_noise.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/undo_rounding.h>
 
 #include <CGAL/Curvature_aware_simplification_report.h>
@@ -38,6 +39,34 @@
 namespace CGAL {
 namespace Curvature_aware_simplification_3 {
 namespace internal {
+
+// The noise: at few places, and at many where it is visible. Points that are too dense against it
+// are left out before.
+template <typename ConcurrencyTag, typename DiagonalizeTraits>
+Noise_levels noise_and_enough_points(Cloud& cloud, std::unique_ptr<Neighbor_search>& search,
+                                     Features& features, const Depth_levels& depth_levels,
+                                     const Parameters& parameters,
+                                     const Adaptive_settings& settings, const Progress& progress)
+{
+  const auto noise_at = [&](std::size_t number_of_places)
+  {
+    return noise_of_scan<ConcurrencyTag>(cloud.points, *search, depth_levels, number_of_places,
+                                         settings);
+  };
+  const auto error = [&]
+  {
+    return visible_error(parameters.number_of_output_points,
+                         area_of_surface<ConcurrencyTag>(features.inverse_density));
+  };
+  Noise_levels noise = noise_at(few_probes);
+  if (settings.thin_dense_noise &&
+      thin_dense_noise<ConcurrencyTag>(cloud, search, noise, depth_levels, error(),
+                                       parameters.number_of_output_points, settings))
+    features = compute_features<ConcurrencyTag, DiagonalizeTraits>(
+        cloud, *search, parameters.number_of_neighbors, progress);
+  const std::size_t many = many_probes(cloud.size(), settings.most_noise_probes);
+  return many > few_probes && noise.is_visible_above(error()) ? noise_at(many) : noise;
+}
 
 // Measures what disturbs the input and takes it away, in this order: steps of the depth, outliers,
 // noise. Takes what it is given, and lets go of each part when it is not needed any more: the
@@ -74,25 +103,24 @@ Scan clean_scan(Cloud cloud, std::unique_ptr<Neighbor_search> search, const Para
   report.number_of_outliers = distinct - cloud.size();
   report.outliers_time = stopwatch.lap();
 
-  const double area = area_of_surface<ConcurrencyTag>(shared.features.inverse_density);
-  // Wider fits are worth their time only where the error is visible: beyond 1 % of the spacing.
-  const double visible_error =
-      0.01 * lattice_spacing(static_cast<double>(number_of_samples) / area);
-  Noise_levels noise =
-      noise_of_scan<ConcurrencyTag>(cloud.points, *search, depth_levels, visible_error, settings);
+  Features features = std::move(shared.features);
+  shared = Shared_features();
+  Noise_levels noise = noise_and_enough_points<ConcurrencyTag, DiagonalizeTraits>(
+      cloud, search, features, depth_levels, parameters, settings, progress.part(0.7, 0.75));
   report.noise_level = cloud.frame.length_from_frame(noise.median());
+  const double area = area_of_surface<ConcurrencyTag>(features.inverse_density);
   noise.widen_to_columns();
-  noise.make_visible_above(visible_error);
-  std::vector<std::uint8_t> is_bent = bent_points<ConcurrencyTag>(shared.features, k, noise);
+  noise.make_visible_above(visible_error(number_of_samples, area));
+  std::vector<std::uint8_t> is_bent = bent_points<ConcurrencyTag>(features, k, noise);
   Scan scan{std::move(cloud.points),
             std::move(search),
-            std::move(shared.features.inverse_density),
+            std::move(features.inverse_density),
             std::move(noise),
             cloud.coordinate_error,
             area,
             std::vector<Point>(),
             is_more_than_a_few(outliers_found, distinct)};
-  shared = Shared_features();
+  features = Features();
   progress.report(0.75);
   report.noise_time = stopwatch.lap();
 

@@ -61,31 +61,39 @@ std::vector<double> parts_to_smooth(const std::vector<double>& inverse_density,
   return parts;
 }
 
-// The indices of a part of the points, evenly along the curve: one wherever the sum of the parts
-// passes an integer. At least two for each sample remain, and enough to fit surfaces to, but for
-// one by rounding, if there are so many: what is missing is taken from all places alike.
+// The indices of some of the points, evenly along the curve, of which each counts for a part: one
+// wherever the sum of the parts passes an integer. At least two for each sample remain, and enough
+// to fit surfaces to, but for one by rounding, if there are so many: what is missing is taken from
+// all places alike.
 template <typename ConcurrencyTag>
-std::vector<std::size_t> thin_points(const std::vector<double>& inverse_density,
-                                     const Noise_levels& noise, std::size_t number_of_samples)
+std::vector<std::size_t> thin_to_parts(const std::vector<double>& part,
+                                       std::size_t number_of_samples)
 {
-  const std::size_t n = inverse_density.size();
-  std::vector<double> part = parts_to_smooth<ConcurrencyTag>(inverse_density, noise);
+  const std::size_t n = part.size();
   const double all = static_cast<double>(n);
   const double enough = reduce_indices<ConcurrencyTag>(
       n, 0., [&](std::size_t i) { return part[i]; }, std::plus<double>());
   const double to_fit = static_cast<double>(fewest_points_to_fit + 1); // one may be lost
   const double wanted =
       (std::min)((std::max)(2. * static_cast<double>(number_of_samples), to_fit), all);
+  std::vector<double> sum = part;
   if (enough < wanted)
   {
     const double more = (wanted - enough) / (all - enough);
-    for_each_index<ConcurrencyTag>(0, n, [&](std::size_t i) { part[i] += more * (1. - part[i]); });
+    for_each_index<ConcurrencyTag>(0, n, [&](std::size_t i) { sum[i] += more * (1. - sum[i]); });
   }
-
-  std::vector<double> sum = part;
   sum_up<ConcurrencyTag>(sum);
   return indices_where<ConcurrencyTag>(
       n, [&](std::size_t i) { return std::floor(sum[i]) > std::floor(i > 0 ? sum[i - 1] : 0.); });
+}
+
+// Those that are smoothed
+template <typename ConcurrencyTag>
+std::vector<std::size_t> thin_points(const std::vector<double>& inverse_density,
+                                     const Noise_levels& noise, std::size_t number_of_samples)
+{
+  return thin_to_parts<ConcurrencyTag>(parts_to_smooth<ConcurrencyTag>(inverse_density, noise),
+                                       number_of_samples);
 }
 
 } // namespace internal
