@@ -195,8 +195,9 @@ TEST(Smoothing_radius, is_small_where_the_shape_has_details)
   for (const Noise& here : radii(far_samples, false).of_range)
     EXPECT_DOUBLE_EQ(here.smoothing_radius, 4. * scale);
 
-  // Samples nearer to each other than noise is large want balls of 1 sigma, in which the layer looks
-  // like a volume. There, nothing was seen of the shape, and balls of flat parts stayed as narrow.
+  // Samples nearer to each other than noise is large want balls of 1 sigma, in which the layer
+  // looks like a volume. There, nothing was seen of the shape, and balls of flat parts stayed as
+  // narrow.
   const Noise_levels near_samples = radii(scale / 2., true);
   const double usual = usual_smoothing_radius(scale, scale / 2.);
   EXPECT_LT(usual, 1.1 * scale);

@@ -27,10 +27,10 @@ struct Points_around
   double squared_radius_of(double points) const { return points / number * squared_radius; }
 };
 
-// Whether x is in a gap of the input, given its nearest point and those around. A disk in which 10.7
-// points are expected is a gap if there is none: three quarters of the radius for 19 points, which
-// is empty by chance once in 40,000 times. With half as many, the mean error of clean scans is the
-// same to 1 %, with a third 1 % larger. With noise, points are off the surface as well.
+// Whether x is in a gap of the input, given its nearest point and those around. A disk in which
+// 10.7 points are expected is a gap if there is none: three quarters of the radius for 19 points,
+// which is empty by chance once in 40,000 times. With half as many, the mean error of clean scans
+// is the same to 1 %, with a third 1 % larger. With noise, points are off the surface as well.
 inline bool is_in_gap(const Surface_fit& fit, const Point& x, const Point& nearest,
                       const Points_around& around, bool is_curve)
 {
@@ -44,8 +44,8 @@ inline bool is_in_gap(const Surface_fit& fit, const Point& x, const Point& neare
     return squared_distance_along > 4. * around.squared_radius / (around.number * around.number);
   if (squared_distance_along > around.squared_radius_of(points_in_gap))
     return true;
-  // where three or four points are expected: hardly one place in 30 is emptier by chance, which saves
-  // the search for all others
+  // where three or four points are expected: hardly one place in 30 is emptier by chance, which
+  // saves the search for all others
   if (squared_distance_along <= around.squared_radius_of(points_in_gap / 3.))
     return false;
   // Amid a gap, a ball that holds enough points is wide, and the density in it low. That around the

@@ -118,9 +118,9 @@ inline double factor_of_radius(const std::vector<Fit_difference>& differences,
   return std::pow(expected / (std::max)(square - expected, least_shape), 1. / 6.);
 }
 
-// The radius of the narrower balls in which the shape is looked at. In less than 3 sigma, noise makes
-// a layer look like a volume, and fits differ by far more than noise explains even on a plane. With
-// 3.5, samples are nearer to smooth shapes, and meshes are farther from thin parts.
+// The radius of the narrower balls in which the shape is looked at. In less than 3 sigma, noise
+// makes a layer look like a volume, and fits differ by far more than noise explains even on a
+// plane. With 3.5, samples are nearer to smooth shapes, and meshes are farther from thin parts.
 inline double radius_to_compare(const Noise& noise)
 {
   return (std::max)(noise.smoothing_radius, smallest_smoothing_radius_in_noise * noise.level);
