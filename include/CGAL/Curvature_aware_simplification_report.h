@@ -57,7 +57,7 @@ struct Curvature_aware_simplification_report
   double features_time = 0.;
   /// finding outliers
   double outliers_time = 0.;
-  /// estimating the noise level
+  /// estimating the noise level, and leaving out points that are very dense against it
   double noise_time = 0.;
   /// smoothing the points, if there is noise to see
   double smoothing_time = 0.;

@@ -31,8 +31,8 @@ input:
    left out of what follows, unless fewer than \f$N\f$ points, or than half of them, would be left: then
    none are taken for outliers.
 -# The standard deviation \f$\sigma\f$ of the noise is estimated, by place, from what local quadrics
-   and planes leave. Where it is visible at the distance of the output points, points that are very dense
-   against it are thinned, and smoothed, each by a fit to its nearest.
+   and planes leave. Where it is visible at the distance of the output points, the input points are first
+   smoothed, each by a fit to its nearest; of those that are very dense against it, some are left out.
 -# The density of the output follows the curvature \f$c\f$ at the distance of the output points, as
    \f$c^{\alpha}\f$, where \f$\sigma\f$ does not explain it, and not the density of the input.
 -# Samples are selected at random with this density, evenly along a space-filling curve.

@@ -107,7 +107,7 @@ bool thin_dense_noise(Cloud& cloud, std::unique_ptr<Neighbor_search>& search, No
                       const Depth_levels& depth_levels, double visible_error,
                       std::size_t number_of_samples, const Adaptive_settings& settings)
 {
-  constexpr double worth_it = 0.1; // of the points
+  constexpr double worth_it = 0.1; // of the points: for fewer, all would be measured again
   for (bool is_thinned = false;; is_thinned = true)
   {
     noise.make_visible_above(visible_error);
