@@ -52,7 +52,7 @@ struct Stages
           CGAL::parameters::number_of_output_points(size / 10).number_of_iterations(1), size)),
       samples(distinct_samples<Tag>(cloud, select_points<Tag>(cloud, features, parameters)).points),
       radius(radius_in_spacings * sample_spacing<Tag>(samples)),
-      fit{search, cloud.size()},
+      fit{search},
       scan{cloud.points,
            nullptr,
            features.inverse_density,

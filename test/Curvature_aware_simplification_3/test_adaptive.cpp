@@ -377,7 +377,7 @@ TEST(Adaptive, places_no_sample_in_a_gap)
         if (i * i + j * j > 100. * hole * hole)
           points.emplace_back(0.1 * i, 0.1 * j, 0.);
     const Neighbor_search search(points, Tag());
-    const Surface_fit fit{search, points.size()};
+    const Surface_fit fit{search};
     Surface_sample sample;
     sample.place(fit, Point(0.02, 0.01, 0.001), Vector(0., 0., 1.), rounds_to_move);
     EXPECT_NEAR(sample.point.z(), 0., 1e-12);

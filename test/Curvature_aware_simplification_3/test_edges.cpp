@@ -273,7 +273,7 @@ TEST(Adaptive, looks_for_no_corners_where_samples_are_crowded)
     for (int j = 0; j <= 100; ++j)
       points.emplace_back(0.01 * i, 0.01 * j, 0.);
   const Neighbor_search search(points, Tag());
-  const Surface_fit fit{search, points.size()};
+  const Surface_fit fit{search};
   Surface_sample x;
   x.place(fit, Point(0.2, 0.2, 0.), CGAL::NULL_VECTOR, 1);
   x.spacing = 0.3;

@@ -107,7 +107,7 @@ TEST(Fit, of_a_local_surface_ignores_an_outlier)
   std::vector<Point> points = patch(400, 3, [](double x, double y) { return x * x - y * y; });
   points.emplace_back(0.01, 0., 0.08);
   const Neighbor_search search(points, Tag());
-  const Surface_fit fit{search, points.size()};
+  const Surface_fit fit{search};
   Neighborhood neighborhood;
   for (int rounds : {rounds_to_move, rounds_to_stay})
   {
@@ -134,8 +134,8 @@ TEST(Fit, is_reweighted_again_only_with_noise)
     Noise noise;
     noise.is_visible = is_visible;
     Neighborhood neighborhood;
-    return fit_local_surface(Surface_fit{search, p.size(), noise}, Point(0., 0., 0.),
-                             CGAL::NULL_VECTOR, Local_surface(), rounds, neighborhood)
+    return fit_local_surface(Surface_fit{search, noise}, Point(0., 0., 0.), CGAL::NULL_VECTOR,
+                             Local_surface(), rounds, neighborhood)
         .origin.z();
   };
   EXPECT_EQ(height(points, false, rounds_to_stay), height(points, false, rounds_to_move));
@@ -165,8 +165,8 @@ TEST(Fit, between_two_lines_of_a_scan_takes_more_of_them)
     {
       noise.visible_error = visible_error;
       Neighborhood neighborhood;
-      return fit_local_surface(Surface_fit{search, points.size(), noise}, Point(0., 0.1, 0.),
-                               Vector(0., 0., 1.), Local_surface(), rounds_to_move, neighborhood);
+      return fit_local_surface(Surface_fit{search, noise}, Point(0., 0.1, 0.), Vector(0., 0., 1.),
+                               Local_surface(), rounds_to_move, neighborhood);
     };
     const Local_surface of_19 = fitted(100. * sigma), surface = fitted(sigma);
     EXPECT_EQ(of_19.neighbors, 19U);
@@ -203,8 +203,8 @@ TEST(Fit, on_one_line_of_a_scan_takes_more_of_them)
     for (double z : {0.5, 0.52}) // on a ring, and beside it
     {
       const Local_surface surface =
-          fit_local_surface(Surface_fit{search, points.size()}, Point(1., 0., z), guess,
-                            Local_surface(), rounds_to_move, neighborhood);
+          fit_local_surface(Surface_fit{search}, Point(1., 0., z), guess, Local_surface(),
+                            rounds_to_move, neighborhood);
       EXPECT_TRUE(surface.neighbors >= 37U || z != 0.5) << guess;
       EXPECT_FALSE(surface.is_curve);
       EXPECT_GT(std::abs(surface.n.x()), 0.9999) << z << ' ' << guess;
@@ -221,9 +221,8 @@ TEST(Fit, on_one_line_of_a_scan_that_bends_takes_more_of_them)
   Neighborhood neighborhood;
   for (const Vector& guess : {Vector(0., 0., 0.), Vector(1., 0., 0.), Vector(0., 0., 1.)})
   {
-    const Local_surface surface =
-        fit_local_surface(Surface_fit{search, points.size()}, Point(1., 0., 2.1), guess,
-                          Local_surface(), rounds_to_move, neighborhood);
+    const Local_surface surface = fit_local_surface(Surface_fit{search}, Point(1., 0., 2.1), guess,
+                                                    Local_surface(), rounds_to_move, neighborhood);
     EXPECT_FALSE(surface.is_curve);
     EXPECT_GT(std::abs(surface.n.x()), 0.9999) << guess;
     EXPECT_NEAR(surface.origin.x(), 1., 1e-4) << guess;
@@ -279,7 +278,7 @@ TEST(Fit, to_a_curve_takes_as_few_points_as_elsewhere)
   {
     const std::vector<Point> points = rings(1, 0., number);
     const Neighbor_search search(points, Tag());
-    const Surface_fit fit{search, points.size()};
+    const Surface_fit fit{search};
     Neighborhood neighborhood;
     Local_surface surface;
     for (int times = 0; times < 2; ++times)
@@ -305,7 +304,7 @@ TEST(Fit, starts_from_the_point_and_the_normal_it_is_given)
       points.emplace_back(x, 0.05 * line, 0.02 * surfaces::normal_deviate(random));
     }
   const Neighbor_search search(points, CGAL::Sequential_tag());
-  const Surface_fit fit{search, points.size(), Noise(), Adaptive_settings()};
+  const Surface_fit fit{search, Noise(), Adaptive_settings()};
   for (const Point& p : points)
   {
     Surface_sample own, given;
@@ -331,7 +330,7 @@ TEST(Surface_sample, does_not_stay_in_a_gap_between_noisy_points)
                               [&](const Point& p) { return std::abs(p.x()) < half_gap; }),
                points.end());
   const Neighbor_search search(points, Tag());
-  const Surface_fit fit{search, points.size(), Noise{sigma, sigma, 0., true, 0.}};
+  const Surface_fit fit{search, Noise{sigma, sigma, 0., true, 0.}};
   for (double y : {-0.2, 0., 0.2})
     for (double x : {-0.01, 0., 0.01})
     {
@@ -349,7 +348,7 @@ TEST(Fit, of_a_local_surface_separates_two_sheets)
   const std::vector<Point> other = patch(4000, 5, [=](double, double) { return gap; });
   points.insert(points.end(), other.begin(), other.end());
   const Neighbor_search search(points, Tag());
-  const Surface_fit fit{search, points.size()};
+  const Surface_fit fit{search};
   Neighborhood neighborhood;
   for (std::size_t i = 0; i < points.size(); i += 97)
   {
@@ -374,7 +373,7 @@ TEST(Fit, that_leaves_its_ball_is_none)
   Local_surface surface;
   const std::vector<Point> points = {Point(0., 0., 0.)};
   const Neighbor_search search(points, Tag());
-  const Surface_fit fit{search, points.size()};
+  const Surface_fit fit{search};
   EXPECT_TRUE(fit_quadric(neighborhood, 0., surface));
   EXPECT_GT(surface.c[0], 2. * neighborhood.radius);
   Local_surface unchanged;
@@ -442,7 +441,7 @@ TEST(Border, of_a_half_plane_and_of_none)
 {
   const std::vector<Point> points = surfaces::square(20000, 6);
   const Neighbor_search search(points, Tag());
-  const Surface_fit fit{search, points.size()};
+  const Surface_fit fit{search};
   Neighborhood neighborhood;
   int found_at_border = 0, found_inside = 0;
   for (int i = 1; i < 100; ++i)
@@ -489,7 +488,7 @@ TEST(Neighborhood, of_a_fit_is_a_ball_that_is_neither_empty_nor_too_full)
     for (std::size_t expected : {std::size_t(0), number})
     {
       Neighborhood neighborhood;
-      collect_neighbors(Surface_fit{search, points.size()}, x, 25, radius, expected, neighborhood);
+      collect_neighbors(Surface_fit{search}, x, 25, radius, expected, neighborhood);
       EXPECT_EQ(neighborhood.size(), wanted) << radius << " " << expected;
     }
   }

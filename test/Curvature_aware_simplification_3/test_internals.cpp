@@ -598,8 +598,12 @@ TEST(Neighbor_search, agrees_with_brute_force)
       for (std::size_t i = 0; i < hidden; ++i)
         is_hidden[by_distance[i]] = 1;
       search.hide(is_hidden);
+      EXPECT_EQ(search.size(), n - hidden);
       expect_neighbors_as_by_brute_force(search, points, is_hidden);
     }
+    std::size_t found = 0;
+    search.for_each_nearest(points[0], n + 1, [&](std::size_t, const Point&, double) { ++found; });
+    EXPECT_EQ(found, 1u); // all that are left
   }
 }
 

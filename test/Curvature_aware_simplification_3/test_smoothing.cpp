@@ -478,7 +478,7 @@ TEST(Smoothing, takes_what_residuals_show_beyond_the_noise_for_shape)
 
   const std::vector<Point> points = surfaces::square(10, 76);
   const Neighbor_search search(points, Tag());
-  const Surface_fit fit{search, 10, Noise{3., 3.}};
+  const Surface_fit fit{search, Noise{3., 3.}};
   EXPECT_EQ(share_explained_by_noise(fit, 0.), 1.);
   EXPECT_EQ(share_explained_by_noise(fit, 22.5), 1.);
   EXPECT_EQ(share_explained_by_noise(fit, 90.), 0.25);
@@ -525,8 +525,8 @@ TEST(Smoothing, makes_narrow_fits_no_better_than_the_points_are)
   const std::vector<Point> points = surfaces::square(10, 76);
   const Neighbor_search search(points, Tag());
   // independent noise is as the fit says
-  EXPECT_EQ(error_of_fit(Surface_fit{search, 10, Noise{3., 3.}}, 1.5), 1.5);
-  const Surface_fit fit{search, 10, Noise{1., 3.}};
+  EXPECT_EQ(error_of_fit(Surface_fit{search, Noise{3., 3.}}, 1.5), 1.5);
+  const Surface_fit fit{search, Noise{1., 3.}};
   EXPECT_NEAR(error_of_fit(fit, 1e9), 1., 1e-9);
   EXPECT_NEAR(error_of_fit(fit, 1.), std::pow(2., -0.25), 1e-12);
   EXPECT_NEAR(error_of_fit(fit, 1e-3), 1e-3, 1e-8);

@@ -49,8 +49,8 @@ public:
     m_tree.template build<ConcurrencyTag>();
   }
 
-  // the number of points, of hidden ones too
-  std::size_t size() const { return m_tree.size(); }
+  // the number of points that are not hidden
+  std::size_t size() const { return m_tree.size() - m_number_of_hidden; }
 
   // From now on, points with is_hidden[index] != 0 are no neighbors. As long as they are few, that
   // takes less time than a new tree.
@@ -58,16 +58,19 @@ public:
   {
     CGAL_precondition(is_hidden.size() == m_tree.size());
     m_is_hidden = std::move(is_hidden);
+    m_number_of_hidden = m_tree.size() - static_cast<std::size_t>(
+                                             std::count(m_is_hidden.begin(), m_is_hidden.end(), 0));
   }
 
-  // function(index, point, squared distance) for the k nearest points, in no particular order.
+  // function(index, point, squared distance) for the k nearest points, or all if they are fewer, in
+  // no particular order.
   // A point at the query itself counts as a neighbor.
   template <typename Function>
   void for_each_nearest(const Point& query, std::size_t k, const Function& function) const
   {
     // If there are hidden points among them, twice as many more are asked for, so that few rounds
     // do in the midst of many. These come in order, and the first k count.
-    k = (std::min)(k, m_tree.size());
+    k = (std::min)(k, size());
     for (std::size_t wanted = k;;)
     {
       const K_neighbor_search search(m_tree, query, static_cast<unsigned int>(wanted), 0., true,
@@ -211,6 +214,7 @@ private:
 
   Tree m_tree;
   std::vector<std::uint8_t> m_is_hidden; // by index; empty if none is
+  std::size_t m_number_of_hidden = 0;
 };
 
 } // namespace internal

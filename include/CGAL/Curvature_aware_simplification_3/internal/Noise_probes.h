@@ -67,7 +67,7 @@ Noise_probes noise_probes(const std::vector<Point>& points, std::size_t most)
                                  [&](std::size_t range)
                                  {
     const Point& middle = probes.points[middle_of_part(range, ranges, number)];
-    search.for_each_nearest(middle, (std::min)(in_median, number),
+    search.for_each_nearest(middle, in_median,
                             [&](std::size_t i, const Point&, double)
                             { probes.of_range[range].push_back(i); });
   });

@@ -22,14 +22,10 @@ namespace internal {
 struct Surface_fit
 {
   const Neighbor_search& search;
-  std::size_t number_of_points;  // of the search
   const Noise& noise = no_noise; // of the points near the place that is fitted
   const Adaptive_settings& settings = default_settings;
 
-  Surface_fit with(const Noise& noise_there) const
-  {
-    return {search, number_of_points, noise_there, settings};
-  }
+  Surface_fit with(const Noise& noise_there) const { return {search, noise_there, settings}; }
   Surface_fit with(Noise&&) const = delete; // it is referred to
 
   bool points_share_noise() const { return noise.level < noise.independent_level; }
@@ -56,8 +52,8 @@ inline void collect_neighbors(const Surface_fit& fit, const Point& x, std::size_
                               Neighborhood& neighborhood)
 {
   neighborhood.neighbors.clear();
-  smallest = (std::min)(smallest, fit.number_of_points);
-  const std::size_t largest = (std::min)(largest_neighborhood, fit.number_of_points);
+  smallest = (std::min)(smallest, fit.search.size());
+  const std::size_t largest = (std::min)(largest_neighborhood, fit.search.size());
   if (expected_neighbors <= smallest)
   {
     neighborhood.collect(fit.search, x, smallest);

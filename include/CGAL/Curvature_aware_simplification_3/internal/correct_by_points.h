@@ -61,7 +61,7 @@ inline Point point_in_largest_gap(const Surface_sample& x, const Neighbor_search
                                   const std::set<Point>& taken, const Surface_fit& fit)
 {
   std::vector<Point> around, taken_around;
-  fit.search.for_each_nearest(x.point, (std::min)(smallest_neighborhood, fit.number_of_points),
+  fit.search.for_each_nearest(x.point, smallest_neighborhood,
                               [&](std::size_t, const Point& p, double)
                               { (taken.count(p) == 0 ? around : taken_around).push_back(p); });
   Point result = x.point;

@@ -69,7 +69,7 @@ void denoise_samples(std::vector<Surface_sample>& samples, const Surface_fit& fi
                                  {
     const std::size_t steps = fits[i].widenings.size();
     std::vector<double> square(steps, 0.), expected(steps, 0.);
-    search.for_each_nearest(points[i], (std::min)(pool, samples.size()),
+    search.for_each_nearest(points[i], pool,
                             [&](std::size_t j, const Point&, double)
                             {
       const std::vector<Widening>& other = fits[j].widenings;

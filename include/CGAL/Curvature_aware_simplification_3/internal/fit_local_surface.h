@@ -38,8 +38,8 @@ inline Local_surface fit_local_surface(const Surface_fit& fit, const Point& x, c
   // More than a third of all points do not tell what is between them (see fewest_points_to_fit):
   // those of a closed curve are as wide as a surface.
   const std::size_t largest =
-      (std::min)({largest_neighborhood, fit.number_of_points,
-                  (std::max)(smallest_neighborhood, fit.number_of_points / 3)});
+      (std::min)({largest_neighborhood, fit.search.size(),
+                  (std::max)(smallest_neighborhood, fit.search.size() / 3)});
   Vector guess = normal;
   bool turns = false;
   for (std::size_t smallest = smallest_neighborhood;;)

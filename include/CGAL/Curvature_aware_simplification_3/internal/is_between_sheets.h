@@ -30,7 +30,7 @@ inline bool is_amid_level(const Point& place, double spacing, double tolerance,
   double squared_radius = 0.;
   Vector sum = NULL_VECTOR;
   std::size_t number = 0;
-  search.for_each_nearest(place, (std::min)(k, search.size()),
+  search.for_each_nearest(place, k,
                           [&](std::size_t, const Point& p, double)
                           {
     const Vector d = p - place;

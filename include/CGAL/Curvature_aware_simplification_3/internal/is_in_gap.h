@@ -10,7 +10,6 @@
 #include <CGAL/Curvature_aware_simplification_3/internal/Neighborhood.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Surface_fit.h>
 
-#include <algorithm>
 #include <cstddef>
 
 namespace CGAL {
@@ -51,8 +50,7 @@ inline bool is_in_gap(const Surface_fit& fit, const Point& x, const Point& neare
   // Amid a gap, a ball that holds enough points is wide, and the density in it low. That around the
   // nearest point, which is on the border of the gap, is low by half at most.
   static thread_local Neighborhood around_nearest;
-  around_nearest.collect(fit.search, nearest,
-                         (std::min)(smallest_neighborhood, fit.number_of_points));
+  around_nearest.collect(fit.search, nearest, smallest_neighborhood);
   const Points_around denser{around_nearest.radius * around_nearest.radius,
                              static_cast<double>(around_nearest.size())};
   return squared_distance_along > denser.squared_radius_of(points_in_gap / 2.);

@@ -60,7 +60,7 @@ Noise_levels measure_noise(const std::vector<Point>& points, const Neighbor_sear
   if (settings.noise_around_planes)
     around_planes = noise_around_planes<ConcurrencyTag>(probes, search, settings);
   const std::vector<Shown_noise> around_quadrics =
-      noise_around_quadrics<ConcurrencyTag>(probes, search, points.size(), around_planes, settings);
+      noise_around_quadrics<ConcurrencyTag>(probes, search, around_planes, settings);
   std::vector<Noise> noise;
   for (std::size_t range = 0; range < around_quadrics.size(); ++range)
     noise.push_back(noise_of_both(around_quadrics[range], around_planes[range]));

@@ -14,7 +14,6 @@
 #include <CGAL/Curvature_aware_simplification_3/internal/loops.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/move_to_targets.h>
 
-#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <limits>
@@ -102,7 +101,7 @@ std::optional<Target> nearest_corner(const Surface_sample& x, const Neighbors& n
     }
   });
   static thread_local Neighborhood neighborhood;
-  neighborhood.collect(fit.search, last, (std::min)(k, fit.number_of_points));
+  neighborhood.collect(fit.search, last, k);
   if (!is_corner(neighborhood, x.normal()))
     return std::nullopt;
   const Point corner =

@@ -80,7 +80,7 @@ std::optional<Target> edge_point(const Surface_sample& x, const Point& center, d
   const double wanted = static_cast<double>(x.surface.neighbors) * radius * radius;
   const std::size_t k = static_cast<std::size_t>((std::min)((std::max)(wanted, fewest), most));
   static thread_local Neighborhood neighborhood;
-  neighborhood.collect(fit.search, center, (std::min)(k, fit.number_of_points));
+  neighborhood.collect(fit.search, center, k);
   neighborhood.weight_by_distance();
   Fold fold;
   if (!fit_fold(neighborhood, (std::max)(flatness * neighborhood.radius, 3. * fit.noise.level),

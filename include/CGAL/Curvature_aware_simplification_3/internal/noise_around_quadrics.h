@@ -30,10 +30,10 @@ namespace internal {
 // points end before for most ranges, they are too few to tell noise from shape, and are taken as
 // they are.
 template <typename ConcurrencyTag>
-std::vector<Shown_noise>
-noise_around_quadrics(const Noise_probes& probes, const Neighbor_search& search,
-                      std::size_t number_of_points, const std::vector<Shown_noise>& around_planes,
-                      const Adaptive_settings& settings)
+std::vector<Shown_noise> noise_around_quadrics(const Noise_probes& probes,
+                                               const Neighbor_search& search,
+                                               const std::vector<Shown_noise>& around_planes,
+                                               const Adaptive_settings& settings)
 {
   const auto layers = [&](const std::vector<std::size_t>& ranges, std::size_t k)
   { return median_layers<ConcurrencyTag>(probes, ranges, search, k, Layer_around_quadric()); };
@@ -45,7 +45,7 @@ noise_around_quadrics(const Noise_probes& probes, const Neighbor_search& search,
       of_range[range].expect_columns(around_planes[range].radius_of_columns, points_around_column);
   std::size_t k = Noise_of_range::smallest;
   std::vector<Layer> inner = layers(unknown, k / 2), narrow = layers(unknown, k);
-  for (; !unknown.empty() && k <= Noise_of_range::largest && 2 * k <= number_of_points; k *= 2)
+  for (; !unknown.empty() && k <= Noise_of_range::largest && 2 * k <= search.size(); k *= 2)
   {
     std::vector<Layer> wide = layers(unknown, 2 * k);
     if (settings.find_columns)

@@ -78,13 +78,12 @@ Distinct_samples simplify_adaptively(Cloud cloud, std::unique_ptr<Neighbor_searc
   Stopwatch stopwatch;
   std::vector<Surface_sample> samples =
       select_samples<ConcurrencyTag>(scan, parameters, settings, progress.part(0.4, 0.5));
-  const std::size_t number_of_points = scan.points.size();
   scan.points = std::vector<Point>(); // from here on, fits take them from the search
   scan.inverse_density = std::vector<double>();
   report.selection_time = stopwatch.lap();
 
   // each sample has its own noise
-  const Surface_fit fit{*scan.search, number_of_points, no_noise, settings};
+  const Surface_fit fit{*scan.search, no_noise, settings};
   place_on_surface<ConcurrencyTag>(samples, fit, progress.part(0.5, 0.6));
   const Sample_neighbors neighbors =
       relax_on_surface<ConcurrencyTag>(samples, fit, parameters.number_of_iterations,

@@ -129,7 +129,7 @@ Noise_levels smooth_points(std::vector<Point>& points, const std::vector<double>
                            const Noise_levels& noise, std::size_t number_of_samples,
                            const Adaptive_settings& settings, const Progress& progress)
 {
-  const Surface_fit fit{search, points.size(), no_noise, settings}; // each point has its own noise
+  const Surface_fit fit{search, no_noise, settings}; // each point has its own noise
   const std::vector<std::size_t> kept_points =
       thin_points<ConcurrencyTag>(inverse_density, noise, number_of_samples);
   const std::size_t kept = kept_points.size();

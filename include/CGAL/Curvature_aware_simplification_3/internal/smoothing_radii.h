@@ -138,7 +138,7 @@ void set_smoothing_radii(Noise_levels& noise, const std::vector<Point>& points,
   if (!settings.smooth_by_shape)
     return;
 
-  const Surface_fit fit{search, points.size(), no_noise, settings}; // each place has its own noise
+  const Surface_fit fit{search, no_noise, settings}; // each place has its own noise
   const Noise_probes probes =
       noise_probes<ConcurrencyTag>(points, many_probes(points.size(), settings.most_noise_probes));
   const std::size_t number = probes.points.size();
