@@ -8,6 +8,7 @@
 #include <CGAL/Curvature_aware_simplification_3/internal/limits_of_noise.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/measure_noise.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/median.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/noise_around_quadrics.h>
 
 #include <gtest/gtest.h>
 
@@ -99,18 +100,38 @@ TEST(Noise_level, is_that_of_the_place)
 
 TEST(Noise_level, of_a_thin_part_is_not_its_thickness)
 {
-  // a wire that is hardly thicker than its noise, on a sphere
+  // a wire that is hardly thicker than its noise, on a sphere; it has a fourth of the points, and
+  // seven tenths
   const double sigma = 0.02;
-  std::vector<Point> points = surfaces::sphere(30000, 8);
-  for (const Point& p : surfaces::square(10000, 9))
-    points.emplace_back(1. + 4. * p.x(), 0.04 * std::cos(2. * CGAL_PI * p.y()),
-                        0.04 * std::sin(2. * CGAL_PI * p.y()));
-  const std::vector<double> levels =
-      noise_of_points(make_cloud<Tag>(with_noise(points, sigma, 10), 1e-16));
-  const auto wrong =
-      std::count_if(levels.begin(), levels.end(),
-                    [&](double level) { return level < 0.7 * sigma || level > 1.3 * sigma; });
-  EXPECT_LT(wrong, static_cast<std::ptrdiff_t>(levels.size() / 100)); // two ranges of 312
+  for (std::size_t on_wire : {10000, 28000})
+  {
+    std::vector<Point> points = surfaces::sphere(40000 - on_wire, 8);
+    for (const Point& p : surfaces::square(on_wire, 9))
+      points.emplace_back(1. + 4. * p.x(), 0.04 * std::cos(2. * CGAL_PI * p.y()),
+                          0.04 * std::sin(2. * CGAL_PI * p.y()));
+    const std::vector<double> levels =
+        noise_of_points(make_cloud<Tag>(with_noise(points, sigma, 10), 1e-16));
+    const auto wrong =
+        std::count_if(levels.begin(), levels.end(),
+                      [&](double level) { return level < 0.7 * sigma || level > 1.3 * sigma; });
+    EXPECT_LT(wrong, static_cast<std::ptrdiff_t>(levels.size() / 100)); // two ranges of 312
+  }
+}
+
+TEST(Noise_level, of_thick_parts_is_no_more_than_that_of_others_up_to_twice_that)
+{
+  std::vector<Noise_of_range> of_range(10);
+  const double levels[] = {1., 2., 3., 4., 5.9, 6.1, 5., 20., 2., 1.};
+  for (std::size_t i = 0; i < 10; ++i)
+    of_range[i].noise.level = levels[i];
+  EXPECT_EQ(upper_known_noise(of_range, {3, 4, 5, 6, 7, 8}), 3.); // of 1, 1, 2 and 3
+  EXPECT_FALSE(upper_known_noise(of_range, {0, 1, 2, 3, 4, 5, 6, 7, 8}));
+  limit_unknown_noise({3, 4, 5, 6, 7, 8}, 5.5, of_range);
+  for (std::size_t i : {3, 4, 6, 8})
+    EXPECT_EQ(of_range[i].noise.limit, 3.) << i;
+  for (std::size_t i : {5, 7}) // more than twice as much
+    EXPECT_EQ(of_range[i].noise.limit, 5.5) << i;
+  EXPECT_EQ(of_range[0].noise.limit, std::numeric_limits<double>::infinity());
 }
 
 TEST(Noise_level, of_thin_parts_is_not_their_shape)
