@@ -103,7 +103,7 @@ TEST(Noise_level, of_a_thin_part_is_not_its_thickness)
   // a wire that is hardly thicker than its noise, on a sphere; it has a fourth of the points, and
   // seven tenths
   const double sigma = 0.02;
-  for (std::size_t on_wire : {10000, 28000})
+  for (std::size_t on_wire : {10000u, 28000u})
   {
     std::vector<Point> points = surfaces::sphere(40000 - on_wire, 8);
     for (const Point& p : surfaces::square(on_wire, 9))
@@ -127,9 +127,9 @@ TEST(Noise_level, of_thick_parts_is_no_more_than_that_of_others_up_to_twice_that
   EXPECT_EQ(upper_known_noise(of_range, {3, 4, 5, 6, 7, 8}), 3.); // of 1, 1, 2 and 3
   EXPECT_FALSE(upper_known_noise(of_range, {0, 1, 2, 3, 4, 5, 6, 7, 8}));
   limit_unknown_noise({3, 4, 5, 6, 7, 8}, 5.5, of_range);
-  for (std::size_t i : {3, 4, 6, 8})
+  for (std::size_t i : {3u, 4u, 6u, 8u})
     EXPECT_EQ(of_range[i].noise.limit, 3.) << i;
-  for (std::size_t i : {5, 7}) // more than twice as much
+  for (std::size_t i : {5u, 7u}) // more than twice as much
     EXPECT_EQ(of_range[i].noise.limit, 5.5) << i;
   EXPECT_EQ(of_range[0].noise.limit, std::numeric_limits<double>::infinity());
 }
