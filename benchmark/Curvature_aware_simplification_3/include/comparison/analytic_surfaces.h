@@ -225,7 +225,7 @@ inline Analytic_surface tree()
 {
   std::vector<Tube> tubes = {{Point(0., 0., 0.), Point(0., 0., 1.), 0.04}};
   grow(tubes[0], 6, 0.45, 0.012, tubes);
-  for (int branch = 1; branch <= 6; ++branch)
+  for (std::size_t branch = 1; branch <= 6; ++branch)
     grow(tubes[branch], 4, 0.2, 0.008, tubes);
   const auto signed_distance = [tubes](const Point& p)
   {
@@ -242,9 +242,9 @@ inline Analytic_surface tree()
   {
     while (true) // until it is in no other tube
     {
-      const double x = random.uniform_real(0., area.back());
-      const Point p =
-          tubes[std::lower_bound(area.begin(), area.end(), x) - area.begin()].random_point(random);
+      const auto of_tube =
+          std::lower_bound(area.begin(), area.end(), random.uniform_real(0., area.back()));
+      const Point p = tubes[static_cast<std::size_t>(of_tube - area.begin())].random_point(random);
       if (signed_distance(p) > -1e-9)
         return p;
     }
