@@ -281,7 +281,7 @@ curvature_aware_simplify_point_set(const PointRange& points, OutputIterator outp
 {
   namespace internal = Curvature_aware_simplification_3::internal;
   return internal::simplify_point_set<ConcurrencyTag>(points, output, np,
-                                                      internal::Adaptive_settings());
+                                                      internal::default_settings);
 }
 
 } // namespace CGAL
