@@ -133,5 +133,6 @@ def ablation(comparison, igea, meshes, output):
             "distance of the points on a line. *Depth steps*: 30,000 points with a noise of "
             "0.1 %, whose depth is then rounded to steps of 1 %. *Frames*: each of 10,000 points ten "
             "times, with a noise of 0.3 % along one direction. *Few points*: 900 of 6,000, with a noise of "
-            "0.1 %. *Dense noise*: 2,500 of 400,000, with a noise of 1.5 %. Of the tree with *density 100*, fewer points are left than are asked for.\n\n"
+            "0.1 %. *Dense noise*: 2,500 of 400,000, with a noise of 1.5 %. Of the tree with *density 100*, "
+            "fewer points are left than are asked for.\n\n"
             + write_table(output / "ablation.csv", rows))

@@ -63,8 +63,7 @@ public:
   }
 
   // function(index, point, squared distance) for the k nearest points, or all if they are fewer, in
-  // no particular order.
-  // A point at the query itself counts as a neighbor.
+  // no particular order. A point at the query itself counts as a neighbor.
   template <typename Function>
   void for_each_nearest(const Point& query, std::size_t k, const Function& function) const
   {
