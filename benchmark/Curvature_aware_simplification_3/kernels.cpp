@@ -8,7 +8,7 @@
 #include <CGAL/Curvature_aware_simplification_3/internal/Scan.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/features.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/lattice_spacing.h>
-#include <CGAL/Curvature_aware_simplification_3/internal/parameters.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/read_parameters.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/relax_on_surface.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/relax_repeatedly.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/sample_spacing.h>

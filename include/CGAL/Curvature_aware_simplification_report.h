@@ -28,7 +28,7 @@ struct Curvature_aware_simplification_report
 {
   /// number of input points
   std::size_t number_of_input_points = 0;
-  /// number of input points that differ from each other
+  /// number of input points that differ from each other, relative to the center of their bounding box
   std::size_t number_of_distinct_points = 0;
   /// number of points written
   std::size_t number_of_output_points = 0;

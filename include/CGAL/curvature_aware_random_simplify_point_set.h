@@ -11,7 +11,7 @@
 #include <CGAL/Curvature_aware_simplification_3/internal/Progress.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/features.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/input.h>
-#include <CGAL/Curvature_aware_simplification_3/internal/parameters.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/read_parameters.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/select_points.h>
 
 #include <CGAL/Named_function_parameters.h>

@@ -42,7 +42,7 @@ input:
    borders.
 -# Where there is noise, samples move towards fits to more neighbors, as far as noise explains the
    difference, and then push each other apart once more.
--# Unless there are many outliers, samples whose fits miss the nearest points, as on thin parts, by more than noise
+-# With hardly any outliers, samples whose fits miss the nearest points, as on thin parts, by more than noise
    explains move to these. Samples next to a sharp edge move onto it, and those next to a corner of a border into it.
 
 With the defaults, of fewer than 57 distinct points, outliers not counted, which no fit tells the

@@ -9,8 +9,8 @@
 #include <CGAL/Curvature_aware_simplification_3/internal/density_weights.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/equal_points.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/features.h>
-#include <CGAL/Curvature_aware_simplification_3/internal/parameters.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/prefix_sums.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/read_parameters.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/relax.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/sample_spacing.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/select_along_curve.h>
@@ -695,6 +695,39 @@ TEST(Density_weights, of_two_points_by_hand)
   EXPECT_EQ(weights[2], 1.);
 }
 
+TEST(Neighbor_search, of_equal_points_is_not_as_deep_as_they_are_many)
+{
+  // with one point less at each level, the stack would overflow
+  std::vector<Point> points(300000, Point(1., 2., 3.));
+  const auto number_at = [](const std::vector<Point>& at, const Point& x, std::size_t k)
+  {
+    const Neighbor_search search(at, Tag());
+    std::size_t number = 0;
+    search.for_each_nearest(x, k,
+                            [&](std::size_t, const Point&, double squared_distance)
+                            { number += squared_distance == 0. ? 1 : 0; });
+    return number;
+  };
+  EXPECT_EQ(number_at(points, points.front(), 20), 20u);
+  EXPECT_EQ(number_at(points, points.front(), points.size()), points.size());
+
+  // nor if they are at two places with no number in between
+  const Point other(std::nextafter(1., 2.), 2., 3.);
+  std::fill_n(points.begin(), 100000, other);
+  EXPECT_EQ(number_at(points, other, 200000), 100000u);
+  EXPECT_EQ(number_at(points, points.back(), points.size()), 200000u);
+}
+
+TEST(Neighbor_search, tells_how_far_the_nearest_are)
+{
+  const std::vector<Point> points = {Point(0., 0., 0.), Point(3., 0., 0.), Point(0., 1., 0.)};
+  const Neighbor_search search(points, Tag());
+  EXPECT_EQ(search.squared_distance_of_nearest(points[0], 1), 0.);
+  EXPECT_EQ(search.squared_distance_of_nearest(points[0], 2), 1.);
+  EXPECT_EQ(search.squared_distance_of_nearest(points[0], 3), 9.);
+  EXPECT_EQ(search.squared_distance_of_nearest(points[0], 4), 9.);
+}
+
 // sizes around those where a call of a loop takes one, two and at most 64 indices
 TEST(Loops, visit_each_index_once)
 {
@@ -706,6 +739,27 @@ TEST(Loops, visit_each_index_once)
     for_each_index<Tag>(begin, begin + size, [&](std::size_t i) { ++visits[i]; });
     EXPECT_EQ(visits, expected) << size;
   }
+}
+
+TEST(Loops, report_progress_after_blocks_that_threads_can_share)
+{
+  const auto reports = [](std::size_t size)
+  {
+    std::vector<double> result;
+    const std::function<bool(double)> record = [&](double share)
+    {
+      result.push_back(share);
+      return true;
+    };
+    std::vector<int> visits(size);
+    for_each_index<Tag>(size, Progress(record), [&](std::size_t i) { ++visits[i]; });
+    EXPECT_EQ(visits, std::vector<int>(size, 1));
+    return result;
+  };
+  EXPECT_EQ(reports(20), std::vector<double>({1.}));
+  EXPECT_EQ(reports(127), std::vector<double>({64. / 127., 1.}));
+  EXPECT_EQ(reports(1000).size(), 16u);
+  EXPECT_EQ(reports(100000).size(), 20u);
 }
 
 // Beyond 2^32, without as many points: loops hand out the indices they are given, counts and random

@@ -6,7 +6,7 @@
 #include <CGAL/Curvature_aware_simplification_3/internal/Cloud.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Neighbor_search.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/find_outliers.h>
-#include <CGAL/Curvature_aware_simplification_3/internal/remove_outliers.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/leave_out_outliers.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/shared_features.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/sparse_surfaces.h>
 
@@ -211,9 +211,9 @@ struct Far_outliers
                                          const std::vector<std::size_t>& asked) const
   {
     std::vector<std::uint8_t> result = is_outlier;
-    unmark_sparse_surfaces<ConcurrencyTag>(cloud, search, shared.features, 16,
-                                           sparseness_of(shared.features.inverse_density).far,
-                                           needed_share, asked, result);
+    unmark_sparse_surfaces<ConcurrencyTag>(
+        cloud, search, shared.features, 16,
+        sparseness_of(shared.features.inverse_density).of_outliers, needed_share, asked, result);
     return result;
   }
 
@@ -567,8 +567,8 @@ TEST(Outliers, are_no_neighbors_once_they_are_removed)
     const std::vector<Point> all = cloud.points;
     std::unique_ptr<Neighbor_search> search(new Neighbor_search(all, Tag()));
     Shared_features shared = shared_features_of(cloud, *search);
-    remove_outliers<Tag>(cloud, search, shared, 16, 100, Adaptive_settings(),
-                         Progress(no_callback));
+    leave_out_outliers<Tag>(cloud, search, shared, 16, 100, Adaptive_settings(),
+                            Progress(no_callback));
     EXPECT_LT(cloud.size(), all.size());
     EXPECT_GT(cloud.size(), 19900u);
     EXPECT_EQ(shared.features.surface_variation.size(), cloud.size());

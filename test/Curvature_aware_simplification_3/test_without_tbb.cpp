@@ -1,7 +1,24 @@
-// All public functions, built without TBB and with debug information. With PARALLEL defined it must
-// not compile, and say why.
+// All public functions, built without TBB and with debug information, after macros as windows.h
+// defines them. With PARALLEL defined it must not compile, and say why.
 
+#include <CGAL/Hilbert_sort_median_3.h>
+#include <CGAL/Kd_tree.h>
+#include <CGAL/Orthogonal_k_neighbor_search.h>
+#include <CGAL/Search_traits_3.h>
 #include <CGAL/Simple_cartesian.h>
+
+#include <Eigen/Dense>
+
+#include <algorithm>
+#include <functional>
+#include <random>
+
+#define far
+#define near
+#define small char
+#define min(a, b) (((a) < (b)) ? (a) : (b))
+#define max(a, b) (((a) > (b)) ? (a) : (b))
+
 #include <CGAL/curvature_aware_random_simplify_point_set.h>
 #include <CGAL/curvature_aware_simplify_point_set.h>
 #include <CGAL/estimate_surface_variation.h>

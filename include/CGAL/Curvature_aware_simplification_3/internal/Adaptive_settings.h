@@ -20,10 +20,10 @@ struct Adaptive_settings
   bool undo_rounding = true;
   // Outliers are removed.
   bool find_outliers = true;
-  // Sparse parts of a surface are none, even where all their points are thick and far from each
-  // other.
+  // Sparse parts of a surface are no outliers, even where all their points are thick and far from
+  // each other.
   bool keep_sparse_surfaces = true;
-  // Nor are those with so much noise that they look like a volume to their neighborhoods.
+  // Parts with so much noise that they look like a volume to their neighborhoods are none either.
   bool keep_noisy_layers = true;
   // Isolated clusters are outliers as well.
   bool find_clusters = true;

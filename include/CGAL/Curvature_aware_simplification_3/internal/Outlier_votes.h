@@ -127,7 +127,7 @@ public:
                            [&](std::size_t i)
                            {
       return (m_is_in_layer[i] == 0 &&
-              m_shared.features.inverse_density[i] > m_sparseness.rather_far) ||
+              m_shared.features.inverse_density[i] > m_sparseness.of_sparse_parts) ||
              is_off_plane_of_neighbors(m_cloud, m_search, m_k, m_is_outlier, i);
     },
                            tag);
@@ -167,7 +167,7 @@ private:
   {
     return m_are_outliers_dense && m_is_in_layer[i] == 0 &&
                    is_thick_and_sparse(m_shared.features, i, least_variation_of_volumes,
-                                       m_sparseness.rather_far)
+                                       m_sparseness.of_sparse_parts)
                ? (std::max)(m_quarter, 2 * std::size_t(m_shared.votes[i]) / 3)
                : m_quarter;
   }

@@ -29,8 +29,8 @@ struct Scan
   double coordinate_error;             // of the points, from rounding in the input
   double area;                         // of the surface
   std::vector<Point> bent_points;      // at which there may be an edge
-  // Then some were not found, and the point nearest to a sample may be one.
-  bool had_many_outliers;
+  // Where there were, some were not found, and the point nearest to a sample may be one.
+  bool had_more_than_a_few_outliers;
 
   // of that many samples, in the mean
   double spacing_of(std::size_t number_of_samples) const

@@ -19,10 +19,10 @@
 #include <CGAL/Curvature_aware_simplification_3/internal/features.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/find_outliers.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/lattice_spacing.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/leave_out_outliers.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/noise_of_scan.h>
-#include <CGAL/Curvature_aware_simplification_3/internal/parameters.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/prefix_sums.h>
-#include <CGAL/Curvature_aware_simplification_3/internal/remove_outliers.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/read_parameters.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/shared_features.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/smooth_scan.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/thin_dense_noise.h>
@@ -97,8 +97,8 @@ Scan clean_scan(Cloud cloud, std::unique_ptr<Neighbor_search> search, const Para
   cloud.duplicates = std::vector<Duplicate>();
   std::size_t outliers_found = 0;
   if (settings.find_outliers)
-    outliers_found = remove_outliers<ConcurrencyTag>(cloud, search, shared, k, number_of_samples,
-                                                     settings, progress.part(0.6, 0.7));
+    outliers_found = leave_out_outliers<ConcurrencyTag>(cloud, search, shared, k, number_of_samples,
+                                                        settings, progress.part(0.6, 0.7));
   progress.report(0.7);
   report.number_of_outliers = distinct - cloud.size();
   report.outliers_time = stopwatch.lap();

@@ -38,17 +38,18 @@ bool are_far_points_dense(const Features& features, const Sparseness& sparseness
       return is_thick_and_sparse(features, i, variation, inverse_density);
     });
   };
-  const std::vector<std::size_t> far_ones = points_with(least_variation_of_volumes, sparseness.far);
+  const std::vector<std::size_t> far_ones =
+      points_with(least_variation_of_volumes, sparseness.of_outliers);
   if (!is_more_than_a_few(far_ones.size(), features.inverse_density.size()))
     return false;
   const double median = median_of_some<ConcurrencyTag>(
       far_ones.size(), 1000, [&](std::size_t f) { return features.inverse_density[far_ones[f]]; });
-  if (median >= hardly_farther * hardly_farther * sparseness.far)
+  if (median >= hardly_farther * hardly_farther * sparseness.of_outliers)
     return false;
   const std::size_t rather_far =
-      points_with(least_variation_of_volumes, sparseness.rather_far).size();
+      points_with(least_variation_of_volumes, sparseness.of_sparse_parts).size();
   const std::size_t round =
-      points_with(least_variation_of_round_volumes, sparseness.rather_far).size();
+      points_with(least_variation_of_round_volumes, sparseness.of_sparse_parts).size();
   return static_cast<double>(round) >= round_enough * static_cast<double>(rather_far);
 }
 

@@ -13,7 +13,7 @@
 #include <CGAL/Curvature_aware_simplification_3/internal/Surface_fit.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Surface_sample.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/is_in_gap.h>
-#include <CGAL/Curvature_aware_simplification_3/internal/parameters.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/read_parameters.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/repel_samples.h>
 
 #include <algorithm>
@@ -41,7 +41,8 @@ inline void move_along_surface(Surface_sample& x, const Vector& repulsion, const
                              static_cast<double>(x.surface.neighbors)};
   if (is_in_gap(fit, end, fit.search.nearest(end), around, x.surface.is_curve))
     return;
-  x.move_to(a, b);
+  x.a = a;
+  x.b = b;
   x.point = end;
 }
 

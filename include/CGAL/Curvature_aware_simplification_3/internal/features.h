@@ -42,10 +42,10 @@ struct Local_features
   double inverse_density;
 };
 
-// What the smallest eigenvalue of a covariance matrix may be for points of a plane. There it is
-// exact to a few units in the last place of the trace, its rounding error in the input to the
-// square of that of the coordinates. (Eigen's closed formula may be off by the root of the
-// precision where two are small.)
+// What the smallest eigenvalue of a covariance matrix may be for points of a plane: a few units in
+// the last place of the trace, by the computation, and the square of the error of the coordinates,
+// by the input. (Eigen's closed formula may be off by the root of the precision where two are
+// small.)
 inline double rounding_error_of_eigenvalue(double trace, double coordinate_error)
 {
   return 16. * std::numeric_limits<double>::epsilon() * trace + coordinate_error * coordinate_error;
@@ -135,11 +135,7 @@ std::vector<double> inverse_densities(const std::vector<Point>& points,
   for_each_index<ConcurrencyTag>(points.size(), progress,
                                  [&](std::size_t i)
                                  {
-    double squared_radius = 0.;
-    search.for_each_nearest(points[i], size,
-                            [&](std::size_t, const Point&, double squared_distance)
-                            { squared_radius = (std::max)(squared_radius, squared_distance); });
-    result[i] = squared_radius / static_cast<double>(size - 1);
+    result[i] = search.squared_distance_of_nearest(points[i], size) / static_cast<double>(size - 1);
   });
   return result;
 }

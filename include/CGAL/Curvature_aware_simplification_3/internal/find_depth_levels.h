@@ -90,8 +90,7 @@ inline Vector common_normal(const std::vector<Facet>& facets, double tolerance)
     std::size_t number = 0;
     Vector sum = NULL_VECTOR;
     for (const Facet& f : flat)
-      if (f.radius * std::sqrt(cross_product(f.normal, candidate.normal).squared_length()) <=
-          tolerance)
+      if (f.radius * sine_of_angle(f.normal, candidate.normal) <= tolerance)
       {
         ++number;
         sum = sum + (f.normal * candidate.normal > 0. ? f.normal : -f.normal);
@@ -142,7 +141,7 @@ Depth_levels find_depth_levels(const std::vector<Point>& points, const Neighbor_
 {
   // Errors of coordinates change the difference of two heights by up to 2 sqrt(3) of them, less
   // than 4. Levels are at least a spacing apart. Few smooth surfaces are that flat from one point
-  // to the next, and those that are, all over.
+  // to the next, and those that are so are flat everywhere, and have no levels.
   constexpr double relative_tolerance = 0.02;
 
   const std::vector<Facet> facets = some_facets<ConcurrencyTag>(points, search);

@@ -44,9 +44,9 @@ mark_far_points(const Cloud& cloud, const Neighbor_search& search, const Feature
                                                                           [&](std::size_t i)
                                                                           {
     return is_outlier[i] == 0 &&
-           (is_thick_and_sparse(features, i, least_variation_of_volumes, sparseness.far) ||
+           (is_thick_and_sparse(features, i, least_variation_of_volumes, sparseness.of_outliers) ||
             (are_dense && is_thick_and_sparse(features, i, least_variation_of_round_volumes,
-                                              sparseness.rather_far)));
+                                              sparseness.of_sparse_parts)));
   });
   for_each_index<ConcurrencyTag>(0, far_ones.size(),
                                  [&](std::size_t f) { is_outlier[far_ones[f]] = 1; });
@@ -56,9 +56,9 @@ mark_far_points(const Cloud& cloud, const Neighbor_search& search, const Feature
       are_outliers_likely<ConcurrencyTag>(cloud, search, k, number_with_few_votes, far_ones);
   std::vector<std::size_t> in_layers;
   if (settings.keep_noisy_layers)
-    in_layers = unmark_noisy_layers<ConcurrencyTag>(cloud, search, features, k,
-                                                    sparseness.rather_far, far_ones, is_outlier);
-  unmark_sparse_surfaces<ConcurrencyTag>(cloud, search, features, k, sparseness.rather_far,
+    in_layers = unmark_noisy_layers<ConcurrencyTag>(
+        cloud, search, features, k, sparseness.of_sparse_parts, far_ones, is_outlier);
+  unmark_sparse_surfaces<ConcurrencyTag>(cloud, search, features, k, sparseness.of_sparse_parts,
                                          needed_share_of_support(are_likely), far_ones, is_outlier);
   unmark_connected<ConcurrencyTag>(cloud, search, features, k, are_likely, far_ones, is_outlier);
   return in_layers;
@@ -116,7 +116,8 @@ std::vector<std::uint8_t> find_outliers(const Cloud& cloud, const Neighbor_searc
   if (settings.find_clusters)
   {
     const std::vector<std::size_t> found =
-        Isolated_clusters(cloud, search, shared.features, k, sparseness.far, is_outlier, tag)
+        Isolated_clusters(cloud, search, shared.features, k, sparseness.of_outliers, is_outlier,
+                          tag)
             .points<ConcurrencyTag>();
     votes.mark(found, tag);
   }

@@ -23,7 +23,7 @@ namespace internal {
 
 // Nearly Welsch's weight exp(-e^2 / 2) with e in units of `scale` standard deviations, as (1 - e^2
 // / 32)^16, which takes less time. With 2.5, it has 97 % of the efficiency of least squares for
-// Gaussian noise, and nothing is left of what is 8 standard deviations away.
+// Gaussian noise, and hardly anything is left of what is 8 standard deviations away.
 class Robust_weight
 {
 public:

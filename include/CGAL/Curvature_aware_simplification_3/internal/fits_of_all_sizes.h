@@ -20,7 +20,7 @@ namespace Curvature_aware_simplification_3 {
 namespace internal {
 
 // 2 standard deviations where a fit is widened: what it meets there may be another sheet, and
-// nothing is left of that if it is 6 away
+// hardly anything is left of that if it is 6 away
 inline constexpr double residual_scale_of_wider = 2.;
 
 // The surface from a wider ball than `surface` was fitted to, taken from `wide`; false if that does

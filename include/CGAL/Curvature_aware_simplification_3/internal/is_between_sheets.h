@@ -10,6 +10,8 @@
 #include <CGAL/Curvature_aware_simplification_3/internal/Depth_levels.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Neighbor_search.h>
 
+#include <CGAL/number_type_config.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>

@@ -10,8 +10,6 @@
 #include <CGAL/Curvature_aware_simplification_3/internal/Neighborhood.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Surface_fit.h>
 
-#include <cstddef>
-
 namespace CGAL {
 namespace Curvature_aware_simplification_3 {
 namespace internal {

@@ -119,11 +119,7 @@ private:
     constexpr double reach = 2.;
     if (m_is_outlier[i] != 0 || m_features.inverse_density[i] <= m_sparse)
       return std::numeric_limits<double>::infinity();
-    double second = 0.;
-    m_search.for_each_nearest(m_cloud.points[i], 3,
-                              [&](std::size_t, const Point&, double squared_distance)
-                              { second = (std::max)(second, squared_distance); });
-    return reach * reach * second;
+    return reach * reach * m_search.squared_distance_of_nearest(m_cloud.points[i], 3);
   }
 
   // Whether one of two points reaches the other: then they are linked, if they are among the k

@@ -43,11 +43,14 @@ void for_each_index(std::size_t begin, std::size_t end, const Kernel& kernel)
 }
 
 // The same over [0, size), with progress reported between blocks. 20 blocks are often enough for a
-// progress bar, and few enough that waiting for the last thread of a block costs nothing.
+// progress bar. Of 64 indices or more, they are long enough for many threads to share, and waiting
+// for the last one costs little.
 template <typename ConcurrencyTag, typename Kernel>
 void for_each_index(std::size_t size, const Progress& progress, const Kernel& kernel)
 {
-  const std::size_t blocks = progress.is_observed() ? 20 : 1;
+  constexpr std::size_t most_blocks = 20, fewest_indices = 64;
+  const std::size_t blocks =
+      progress.is_observed() ? (std::min)(size / fewest_indices + 1, most_blocks) : 1;
   const std::size_t step = size / blocks + 1;
   for (std::size_t begin = 0; begin < size; begin += step)
   {

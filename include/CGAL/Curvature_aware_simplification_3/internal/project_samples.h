@@ -19,7 +19,7 @@
 #include <CGAL/Curvature_aware_simplification_3/internal/loops.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/move_to_corners.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/move_to_edges.h>
-#include <CGAL/Curvature_aware_simplification_3/internal/parameters.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/read_parameters.h>
 
 #include <cstddef>
 #include <vector>
@@ -47,7 +47,7 @@ void project_samples(std::vector<Surface_sample>& samples, const Sample_neighbor
     denoise_samples<ConcurrencyTag>(samples, fit, progress.part(0.4, 0.75));
   if (fit.settings.even_out && scan.noise.is_visible())
     even_out_samples<ConcurrencyTag>(samples, neighbors, fit, parameters, progress.part(0.75, 0.8));
-  if (fit.settings.correct_by_points && !scan.had_many_outliers)
+  if (fit.settings.correct_by_points && !scan.had_more_than_a_few_outliers)
     correct_by_points<ConcurrencyTag>(samples, nearest, neighbors, fit);
   if (fit.settings.move_to_edges)
     move_to_edges<ConcurrencyTag>(samples, neighbors, fit, scan.bent_points,

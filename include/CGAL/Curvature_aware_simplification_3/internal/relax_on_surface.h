@@ -9,7 +9,7 @@
 #include <CGAL/Curvature_aware_simplification_3/internal/Progress.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Sample_neighbors.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Surface_sample.h>
-#include <CGAL/Curvature_aware_simplification_3/internal/fit_local_surface.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/fit_to_neighbors.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/repel_samples.h>
 
 #include <algorithm>

@@ -49,12 +49,13 @@ Vector tangential_repulsion(const Surface_sample& x, const Neighbors& neighbors,
     const Vector_lanes d(x.point - points[i], x.point - points[j]);
     const Lanes h = d * normal;
     const Lanes rho2 = inverse * (d.squared_length() + (settings.weight_of_height - 1.) * h * h);
-    const Lanes base = (1. - inverse_reach * rho2).max(0.);
+    const Lanes base = ((1. - inverse_reach * rho2).max)(0.);
     const Lanes base3 = base * base * base;
     // of a sample at the same place, no direction leads away
     const Lanes phi = inverse * Lanes(rho2[0] > 0. ? squared_spacings[i] : 0.,
                                       is_pair && rho2[1] > 0. ? squared_spacings[j] : 0.);
-    const Lanes beta = base3 * base3 * phi / rho2.max((std::numeric_limits<double>::min)()).sqrt();
+    const Lanes beta =
+        base3 * base3 * phi / (rho2.max)((std::numeric_limits<double>::min)()).sqrt();
     sum_x += beta * d.x;
     sum_y += beta * d.y;
     sum_z += beta * d.z;

@@ -44,12 +44,8 @@ double sample_spacing(const std::vector<Point>& samples)
 
   std::vector<double> squared_radius(samples.size(), 0.);
   for_each_index<ConcurrencyTag>(0, samples.size(),
-                                 [&](std::size_t i)
-                                 {
-    search.for_each_nearest(samples[i], size,
-                            [&](std::size_t, const Point&, double squared_distance) {
-      squared_radius[i] = (std::max)(squared_radius[i], squared_distance);
-    });
+                                 [&](std::size_t i) {
+    squared_radius[i] = search.squared_distance_of_nearest(samples[i], size);
   });
 
   // samples that coincide with all their neighbors tell nothing

@@ -10,8 +10,8 @@
 #include <CGAL/Curvature_aware_simplification_3/internal/Counter_based_random.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/features.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/loops.h>
-#include <CGAL/Curvature_aware_simplification_3/internal/parameters.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/prefix_sums.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/read_parameters.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -61,7 +61,8 @@ private:
 
 // Exactly `number_of_output_points` positions in the input, in increasing order: every distinct
 // point is drawn with probability F_i, then points are removed or inserted at random until the
-// count is met. Duplicates are inserted only when there are not enough distinct points. O(M)
+// count is met. Duplicates are inserted only when there are not enough distinct points. O(M + N
+// log N)
 template <typename ConcurrencyTag>
 std::vector<std::size_t> select_points(const Cloud& cloud, const Features& features,
                                        const Parameters& parameters)

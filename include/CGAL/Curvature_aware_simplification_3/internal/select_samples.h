@@ -15,7 +15,7 @@
 #include <CGAL/Curvature_aware_simplification_3/internal/fit_to_neighbors.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/lattice_spacing.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/loops.h>
-#include <CGAL/Curvature_aware_simplification_3/internal/parameters.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/read_parameters.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/sampling_density.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/select_along_curve.h>
 

@@ -32,8 +32,8 @@ struct Shared_features
   // For how many points this one votes, itself among them: those that share its features, but for
   // far ones, which got their own later. 0 if another one votes for it.
   std::vector<std::uint8_t> represented;
-  // Of points that have this one among the k nearest, but not its own. A vote counts for all whom
-  // the voter represents, which may be this one among others, so k on average.
+  // How many points have this one among their k nearest, the point itself not counted: a voter
+  // counts once for each point that it represents. k on average.
   std::vector<std::uint32_t> votes;
 };
 
@@ -110,7 +110,7 @@ Shared_features compute_shared_features(const Cloud& cloud, const Neighbor_searc
 
   // Far from all others, an outlier and its neighbors may happen to be flat: there, each speaks for
   // itself.
-  const double sparse = sparseness_of(shared.features.inverse_density).far;
+  const double sparse = sparseness_of(shared.features.inverse_density).of_outliers;
   for_each_index<ConcurrencyTag>(0, n,
                                  [&](std::size_t i)
                                  {

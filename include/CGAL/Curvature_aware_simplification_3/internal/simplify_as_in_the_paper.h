@@ -10,7 +10,7 @@
 #include <CGAL/Curvature_aware_simplification_3/internal/Distinct_samples.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Stopwatch.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/features.h>
-#include <CGAL/Curvature_aware_simplification_3/internal/parameters.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/read_parameters.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/relax_repeatedly.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/sample_spacing.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/select_points.h>

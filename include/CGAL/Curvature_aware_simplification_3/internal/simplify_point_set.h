@@ -12,7 +12,7 @@
 #include <CGAL/Curvature_aware_simplification_3/internal/Progress.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Stopwatch.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/input.h>
-#include <CGAL/Curvature_aware_simplification_3/internal/parameters.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/read_parameters.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/simplify_adaptively.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/simplify_as_in_the_paper.h>
 #include <CGAL/Curvature_aware_simplification_report.h>

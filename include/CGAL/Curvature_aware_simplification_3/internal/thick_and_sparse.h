@@ -43,8 +43,8 @@ inline constexpr double least_variation_at_borders_of_volumes = 0.12;
 // From which 1/rho on points are sparse, by the median radius of all
 struct Sparseness
 {
-  double far;        // 3 times the median radius: they may be outliers
-  double rather_far; // twice: most of them are on sparse parts of a surface
+  double of_outliers;     // 3 times the median radius: they may be outliers
+  double of_sparse_parts; // twice: most of them are on sparse parts of a surface
 };
 
 inline Sparseness sparseness_of(const std::vector<double>& inverse_density)

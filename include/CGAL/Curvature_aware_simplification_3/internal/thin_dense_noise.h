@@ -97,7 +97,7 @@ std::vector<std::size_t> points_against_noise(const std::vector<double>& part_of
     for (std::size_t i = ranges.first_point(range); i < ranges.first_point(range + 1); ++i)
       parts[i] = part_of_range[range];
   });
-  return thin_to_parts<ConcurrencyTag>(parts, number_of_samples);
+  return thin_to_parts<ConcurrencyTag>(std::move(parts), number_of_samples);
 }
 
 // Leaves out points that are too dense against visible noise, evenly along the curve, and measures

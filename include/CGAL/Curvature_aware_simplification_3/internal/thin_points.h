@@ -66,8 +66,7 @@ std::vector<double> parts_to_smooth(const std::vector<double>& inverse_density,
 // to fit surfaces to, but for one by rounding, if there are so many: what is missing is taken from
 // all places alike.
 template <typename ConcurrencyTag>
-std::vector<std::size_t> thin_to_parts(const std::vector<double>& part,
-                                       std::size_t number_of_samples)
+std::vector<std::size_t> thin_to_parts(std::vector<double> part, std::size_t number_of_samples)
 {
   const std::size_t n = part.size();
   const double all = static_cast<double>(n);
@@ -76,13 +75,13 @@ std::vector<std::size_t> thin_to_parts(const std::vector<double>& part,
   const double to_fit = static_cast<double>(fewest_points_to_fit + 1); // one may be lost
   const double wanted =
       (std::min)((std::max)(2. * static_cast<double>(number_of_samples), to_fit), all);
-  std::vector<double> sum = part;
   if (enough < wanted)
   {
     const double more = (wanted - enough) / (all - enough);
-    for_each_index<ConcurrencyTag>(0, n, [&](std::size_t i) { sum[i] += more * (1. - sum[i]); });
+    for_each_index<ConcurrencyTag>(0, n, [&](std::size_t i) { part[i] += more * (1. - part[i]); });
   }
-  sum_up<ConcurrencyTag>(sum);
+  sum_up<ConcurrencyTag>(part);
+  const std::vector<double>& sum = part;
   return indices_where<ConcurrencyTag>(
       n, [&](std::size_t i) { return std::floor(sum[i]) > std::floor(i > 0 ? sum[i - 1] : 0.); });
 }

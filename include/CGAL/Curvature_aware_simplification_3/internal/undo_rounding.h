@@ -76,13 +76,11 @@ Depth_levels undo_rounding(Cloud& cloud, std::unique_ptr<Neighbor_search>& searc
   Depth_levels levels = find_depth_levels<ConcurrencyTag>(points, *search, cloud.coordinate_error);
   if (levels.heights.empty())
     return levels;
-  std::vector<double> heights(points.size());
+  // the search has copies of the points, which stay where they are
   for_each_index<ConcurrencyTag>(0, points.size(),
-                                 [&](std::size_t i)
-                                 { heights[i] = rounded_away(points[i], levels, *search); });
-  for_each_index<ConcurrencyTag>(0, points.size(),
-                                 [&](std::size_t i)
-                                 { points[i] = points[i] + heights[i] * levels.direction; });
+                                 [&](std::size_t i) {
+    points[i] = points[i] + rounded_away(points[i], levels, *search) * levels.direction;
+  });
   search.reset(); // two trees at once would take the most memory of the call
   search = std::make_unique<Neighbor_search>(points, ConcurrencyTag());
   return levels;

@@ -3,8 +3,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_REMOVE_OUTLIERS_H
-#define CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_REMOVE_OUTLIERS_H
+#ifndef CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_LEAVE_OUT_OUTLIERS_H
+#define CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_LEAVE_OUT_OUTLIERS_H
 
 #include <CGAL/Curvature_aware_simplification_3/internal/Adaptive_settings.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Cloud.h>
@@ -30,9 +30,10 @@ namespace internal {
 // the search, whose indices may not be those of the points any more. The indices in the cloud are
 // dropped before. Returns how many were found, also if they are too many to be left out.
 template <typename ConcurrencyTag>
-std::size_t remove_outliers(Cloud& cloud, std::unique_ptr<Neighbor_search>& search,
-                            Shared_features& shared, std::size_t k, std::size_t number_of_samples,
-                            const Adaptive_settings& settings, const Progress& progress)
+std::size_t leave_out_outliers(Cloud& cloud, std::unique_ptr<Neighbor_search>& search,
+                               Shared_features& shared, std::size_t k,
+                               std::size_t number_of_samples, const Adaptive_settings& settings,
+                               const Progress& progress)
 {
   const std::size_t n = cloud.size();
   std::vector<std::uint8_t> is_outlier =
@@ -69,4 +70,4 @@ std::size_t remove_outliers(Cloud& cloud, std::unique_ptr<Neighbor_search>& sear
 } // namespace Curvature_aware_simplification_3
 } // namespace CGAL
 
-#endif // CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_REMOVE_OUTLIERS_H
+#endif // CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_LEAVE_OUT_OUTLIERS_H

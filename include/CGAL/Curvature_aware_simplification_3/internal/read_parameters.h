@@ -3,8 +3,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_PARAMETERS_H
-#define CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_PARAMETERS_H
+#ifndef CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_READ_PARAMETERS_H
+#define CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_READ_PARAMETERS_H
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/boost/graph/named_params_helper.h>
@@ -215,4 +215,4 @@ Parameters read_parameters(const NamedParameters& np, std::size_t number_of_poin
 } // namespace Curvature_aware_simplification_3
 } // namespace CGAL
 
-#endif // CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_PARAMETERS_H
+#endif // CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_READ_PARAMETERS_H
