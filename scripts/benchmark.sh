@@ -1,11 +1,13 @@
 #!/usr/bin/env bash
 # Compares this package with all peers, and writes the page with the results.
 #
-#   scripts/benchmark.sh [quick|igea|full [OPTION...]]
+#   scripts/benchmark.sh [quick|igea|shapes|full [OPTION...]]
 #
 # quick: three inputs, no search for settings, no external programs; under 5 minutes on two cores.
 # igea: the model of the paper's Table 1 in six conditions, if it is in the folder given with
 #   --shared; about an hour.
+# shapes: twelve shapes in seven conditions against CGAL's functions and what is built here; no
+#   external programs, no times; an hour and a half. The page is results/shapes.md.
 # full: all, several hours.
 # Options are those of benchmark.py: after a change of this package, --rerun "this package" takes the
 # results of the others from the last run.
@@ -15,7 +17,7 @@ shift || true
 
 . "$(dirname "$0")/setup.sh"
 install_missing libbenchmark-dev nlohmann-json3-dev python3-matplotlib python3-pil "${render_packages[@]}"
-if [ "$mode" != quick ]; then
+if [ "$mode" = igea ] || [ "$mode" = full ]; then
   # external programs: what cannot be installed is reported as missing in its row
   while read -r package; do
     install_missing "$package" || echo "$package cannot be installed"

@@ -18,6 +18,7 @@ from comparison import Case, Comparison
 from page import ratios, stages, table, write_csv
 from paper_figures import Figures
 from scaling import scaling
+from shapes import shapes_page
 
 HERE = pathlib.Path(__file__).resolve().parent
 DEGRADATIONS = ["clean", "noise:0.2", "outliers:5", "density:10", "uneven_noise:0.2", "hole:10",
@@ -111,7 +112,7 @@ def kernels(program, output):
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("mode", choices=["quick", "igea", "full"])
+    parser.add_argument("mode", choices=["quick", "igea", "shapes", "full"])
     parser.add_argument("--build", required=True, help="folder of the built programs")
     parser.add_argument("--meshes", required=True, help="folder of CGAL's meshes")
     parser.add_argument("--shared", default=str(HERE / "../../../shared/data"),
@@ -126,19 +127,20 @@ def main():
 
     build, meshes = pathlib.Path(arguments.build), pathlib.Path(arguments.meshes)
     shared, output = pathlib.Path(arguments.shared).resolve(), pathlib.Path(arguments.output)
+    if arguments.mode == "shapes":
+        shapes_page(Comparison(build / "simplify_and_measure", build / "shapes", arguments.seconds,
+                               timed=False), meshes, arguments, surroundings(arguments), output)
+        print(f"Results are in {output / 'shapes.md'}")
+        return 0
     quick = arguments.mode == "quick"
     comparison = Comparison(build / "simplify_and_measure", output, 60 if quick else
-                            arguments.seconds, tuned=not quick)
+                            arguments.seconds, tuned=not quick, timed=not quick)
     external = None if quick else HERE / "external_programs.py"
 
     results, sections = {}, []
     all_cases = {case.title(): case for case in cases(arguments.mode, shared, meshes)}
     for title, case in all_cases.items():
-        kept = []
-        if (arguments.reuse or arguments.rerun) and comparison.file(case).exists():
-            kept = [r for r in comparison.read(case)
-                    if not arguments.rerun or not r["method"].startswith(arguments.rerun)]
-        results[title] = kept if kept and not arguments.rerun else comparison.run(case, external, kept)
+        results[title] = comparison.results(case, external, arguments.reuse, arguments.rerun)
         sections.append(f"### {title}\n\n{table(results[title])}\n{stages(results[title])}")
     write_csv(output / "results.csv", [r for rows in results.values() for r in rows])
 

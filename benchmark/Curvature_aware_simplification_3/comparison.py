@@ -22,9 +22,10 @@ def in_words(degradation):
 class Case:
     """an input, what is done to it, and the number of output points"""
 
-    def __init__(self, name, source, degradation="clean", count=None, percentage=None, sample=None):
+    def __init__(self, name, source, degradation="clean", count=None, percentage=None, sample=None,
+                 seed=0):
         self.name, self.source, self.degradation = name, str(source), degradation
-        self.count, self.percentage, self.sample = count, percentage, sample
+        self.count, self.percentage, self.sample, self.seed = count, percentage, sample, seed
 
     def options(self):
         options = ["--input", self.source, "--degradation", self.degradation]
@@ -34,6 +35,8 @@ class Case:
             options += ["--percentage", str(self.percentage)]
         if self.sample:
             options += ["--sample", str(self.sample)]
+        if self.seed:
+            options += ["--seed", str(self.seed)]
         return options
 
     def title(self):
@@ -41,9 +44,9 @@ class Case:
 
 
 class Comparison:
-    def __init__(self, program, folder, seconds=300, tuned=True):
+    def __init__(self, program, folder, seconds=300, tuned=True, timed=True):
         self.program, self.folder, self.seconds = str(program), pathlib.Path(folder), seconds
-        self.tuned = tuned
+        self.tuned, self.timed = tuned, timed
         self.folder.mkdir(parents=True, exist_ok=True)
 
     def call(self, options):
@@ -73,6 +76,14 @@ class Comparison:
         with open(self.file(case)) as file:
             return [json.loads(line) for line in file]
 
+    def results(self, case, external=None, reuse=False, rerun=None):
+        """of an earlier run as far as they are wanted and there: all with `reuse`, or those of the
+        methods whose names do not start with `rerun`"""
+        earlier = self.read(case) if (reuse or rerun) and self.file(case).exists() else []
+        if earlier and not rerun:
+            return earlier
+        return self.run(case, external, [r for r in earlier if not r["method"].startswith(rerun)])
+
     def run(self, case, external=None, kept=()):
         """all settings of all methods but those with results that are kept; returns and stores the
         list of results"""
@@ -88,7 +99,7 @@ class Comparison:
             print(f"{case.title()}: {method}, {time.monotonic() - begin:.0f} s", flush=True)
         if external and not kept:
             results += self.run_external(case, external)
-        if self.tuned:
+        if self.timed:
             self.time_again(case, [r for r in results if r["method"] not in kept_methods])
         results += [r for r in kept if r["method"] not in {result["method"] for result in results}]
         name = pathlib.Path(case.source).name

@@ -17,7 +17,9 @@
 #include <functional>
 #include <iterator>
 #include <map>
+#include <set>
 #include <sstream>
+#include <stdexcept>
 #include <string>
 #include <type_traits>
 #include <utility>
@@ -207,9 +209,13 @@ Setting with_parameters(const std::string& parameters)
   const auto number = [values](const std::string& name, double standard)
   { return values.count(name) != 0 ? std::stod(values.at(name)) : standard; };
 
+  std::set<std::string> known = {
+      "adaptivity", "curvature_dependence", "curvature_weight", "iterations", "paper",
+      "radius",     "remove_outliers",      "repulsion_weight"};
   Adaptive_settings settings;
   const auto set = [&](const char* name, auto& setting)
   {
+    known.insert(name);
     setting =
         static_cast<std::decay_t<decltype(setting)>>(number(name, static_cast<double>(setting)));
   };
@@ -250,6 +256,9 @@ Setting with_parameters(const std::string& parameters)
   set("correct_by_points", settings.correct_by_points);
   set("move_to_edges", settings.move_to_edges);
   set("move_to_corners", settings.move_to_corners);
+  for (const auto& value : values)
+    if (known.count(value.first) == 0)
+      throw std::invalid_argument("there is no parameter " + value.first);
 
   return {parameters, [=](const Task& given)
           {
@@ -261,6 +270,7 @@ Setting with_parameters(const std::string& parameters)
                             .curvature_weight(number("curvature_weight", 0.75))
                             .curvature_dependence(number("curvature_dependence", 2.))
                             .number_of_iterations(number("iterations", 10.))
+                            .repulsion_weight(number("repulsion_weight", 0.45))
                             .random_seed(t.seed);
     if (values.count("radius") == 0)
       return curvature_aware(t, chosen, settings);
