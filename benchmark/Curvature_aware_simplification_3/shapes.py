@@ -3,7 +3,7 @@ results/shapes.md."""
 
 import concurrent.futures
 import csv
-import math
+from statistics import geometric_mean
 
 from comparison import Case, in_words, settings_of
 from page import RATIOS, best_peers, is_function_of_cgal, over_best_peers
@@ -32,8 +32,8 @@ def is_off_surface(condition):
 
 
 def mean_over_seeds(rows_of_seeds):
-    """one result for each setting that did not fail: with one input, the best of many settings is
-    the luckiest one"""
+    """One result for each setting that did not fail. With a single input, the best of many settings
+    would be the luckiest."""
     by_setting = {}
     for rows in rows_of_seeds:
         for row in rows:
@@ -42,11 +42,6 @@ def mean_over_seeds(rows_of_seeds):
     return [{"method": method, "setting": setting,
              **{key: sum(row[key] for row in rows) / len(rows) for key in RATIOS}}
             for (method, setting), rows in by_setting.items() if len(rows) == len(rows_of_seeds)]
-
-
-def geometric_mean(values):
-    logarithms = [math.log(v) for v in values if v > 0]
-    return math.exp(sum(logarithms) / len(logarithms)) if logarithms else float("nan")
 
 
 def table(found, key, conditions):
@@ -79,15 +74,16 @@ def summary(results):
         return [r for r in rows if r["method"].startswith("this package") or r is best]
 
     keys = [key for key in RATIOS if key.startswith("recon")]
-    lines = ["| over | " + " | ".join(RATIOS[key] for key in keys) + " |", "|---" * (len(keys) + 1) + "|"]
+    lines = ["| over | " + " | ".join(RATIOS[key] for key in keys) + " |",
+             "|---" * (len(keys) + 1) + "|"]
     for title, chosen in [("the best of all settings of all peers, of each measure its own", list),
                           ("the same of CGAL's functions and chains of them", of_cgal),
                           ("the setting of a peer that has the best mean", best_by_mean),
                           ("the same of CGAL's functions and chains of them",
                            lambda rows: best_by_mean(of_cgal(rows)))]:
         found = [over_best_peers(chosen(rows)) for rows in results.values()]
-        lines.append(f"| {title} | "
-                     + " | ".join(f"{geometric_mean([f[key] for f in found]):.2f}" for key in keys) + " |")
+        values = [geometric_mean([ratios[key] for ratios in found]) for key in keys]
+        lines.append(f"| {title} | " + " | ".join(f"{v:.2f}" for v in values) + " |")
     return "\n".join(lines) + "\n"
 
 
@@ -100,9 +96,9 @@ def write_csv(file, results):
         for (shape, condition), rows in results.items():
             for key, peer in best_peers(rows).items():
                 if peer:
-                    writer.writerow([shape, column(condition), RATIOS[key],
-                                     settings_of(rows, "this package")[0][key], peer[key],
-                                     peer["method"], peer.get("setting", "")])
+                    ours = settings_of(rows, "this package")[0]
+                    writer.writerow([shape, column(condition), RATIOS[key], f"{ours[key]:.5g}",
+                                     f"{peer[key]:.5g}", peer["method"], peer["setting"]])
 
 
 def shapes_page(comparison, meshes, arguments, surroundings, output):
@@ -138,6 +134,6 @@ of about fifty, and partly luck, most of all for the largest error, which is tha
 last rows and columns are geometric means. Ours and the best peer of each are in `shapes.csv`.
 """
     for key, title in RATIOS.items():
-        conditions = CONDITIONS if key != "distance_mean" else [c for c in CONDITIONS if is_off_surface(c)]
+        conditions = [c for c in CONDITIONS if key != "distance_mean" or is_off_surface(c)]
         text += f"\n## {title[0].upper() + title[1:]}\n\n{table(found, key, conditions)}"
     (output / "shapes.md").write_text(text)
