@@ -84,6 +84,31 @@ std::vector<Point> cube_far_from_a_scanner(std::size_t n, unsigned int seed)
   return result;
 }
 
+// A point beyond the corner of a square has few votes, if any. In the plane it is what a sparse
+// corner looks like, unless it is so far that it is no neighbor of any point, or one of many.
+TEST(Outliers, are_not_lone_points_of_a_border)
+{
+  const auto is_outlier_at = [](double x, double y, double z, std::size_t others)
+  {
+    std::vector<Point> points = surfaces::square(3000, 3);
+    add_outliers_in(CGAL::Bbox_3(0., 0., 0.05, 1., 1., 0.15), others, 4, points);
+    points.emplace_back(x, y, z);
+    const Cloud cloud = make_cloud<Tag>(points, 0.);
+    const std::vector<std::uint8_t> is_outlier = outliers_of(cloud);
+    for (std::size_t i = 0; i < cloud.size(); ++i)
+      if (cloud.input_index[i] + 1 == points.size())
+        return is_outlier[i] != 0;
+    return false;
+  };
+  // two of the points at the corner have it among their 16 nearest
+  EXPECT_FALSE(is_outlier_at(1.03, 1.03, 0., 0));
+  EXPECT_FALSE(is_outlier_at(1.03, 1.03, 0., 5));
+  EXPECT_TRUE(is_outlier_at(1.03, 1.03, 0., 100));
+  EXPECT_TRUE(is_outlier_at(1.2, 1.2, 0., 0));
+  EXPECT_TRUE(is_outlier_at(1., 1., 0.06, 0));
+  EXPECT_TRUE(is_outlier_at(0.5, 0.5, 0.05, 0));
+}
+
 TEST(Outliers, are_not_on_sparse_parts_of_a_surface)
 {
   for (double sigma : {0., 0.0005})

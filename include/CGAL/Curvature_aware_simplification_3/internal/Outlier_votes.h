@@ -117,6 +117,32 @@ public:
     return found;
   }
 
+  // Of points that were found for their few votes, unmarks for good those that have one at least and
+  // are in the plane of their neighbors: lone points of sparse borders and corners are, while one of
+  // a few outliers next to a surface hardly is.
+  template <typename ConcurrencyTag>
+  void keep_lone_points(const std::vector<std::size_t>& found, const ConcurrencyTag&)
+  {
+    std::vector<std::uint8_t> is_lone(found.size());
+    for_each_index<ConcurrencyTag>(0, found.size(),
+                                   [&](std::size_t f)
+                                   {
+      is_lone[f] =
+          number_of_voters(found[f]) > 0 &&
+                  !is_off_plane_of_neighbors(m_cloud, m_search, m_k, m_is_outlier, found[f])
+              ? 1
+              : 0;
+    });
+    for_each_index<ConcurrencyTag>(0, found.size(),
+                                   [&](std::size_t f)
+                                   {
+      if (is_lone[f] == 0)
+        return;
+      m_is_outlier[found[f]] = 0;
+      m_votes[found[f]].store(static_cast<std::uint32_t>(m_k), std::memory_order_relaxed);
+    });
+  }
+
   // Those with less than half of k, which may be outliers as well. A border has little more than
   // half: asked again and again, border after border would go. Of points that are not sparse, only
   // those off the surface are returned: among sparse ones, it may be outliers that are in a plane.
@@ -159,6 +185,16 @@ public:
 private:
   std::size_t votes(std::size_t i) const { return m_votes[i].load(std::memory_order_relaxed); }
 
+  // of the neighbors of i, those not marked that would vote for it, were they asked one by one
+  std::size_t number_of_voters(std::size_t i) const
+  {
+    std::size_t number = 0;
+    for_each_mutual_neighbor(
+        m_cloud, m_search, m_shared.features, m_k, i,
+        [&](std::size_t j) { return m_is_outlier[j] == 0; }, [&](std::size_t) { ++number; });
+    return number;
+  }
+
   // A quarter of k: a corner of an open surface, the least that a surface has, gets a half. Where
   // outliers are dense, two thirds of those that a point had at first: with less, much of what is
   // around it are outliers. With half, a ninth of them remains, in groups that vote for each other.
@@ -195,12 +231,7 @@ private:
                                    [&](std::size_t c)
                                    {
       const std::size_t i = candidates[c];
-      std::size_t mutual_neighbors = 0;
-      for_each_mutual_neighbor(
-          m_cloud, m_search, m_shared.features, m_k, i,
-          [&](std::size_t j) { return m_is_outlier[j] == 0; },
-          [&](std::size_t) { ++mutual_neighbors; });
-      is_confirmed[c] = mutual_neighbors < needed_votes(i) && test(i) ? 1 : 0;
+      is_confirmed[c] = number_of_voters(i) < needed_votes(i) && test(i) ? 1 : 0;
     });
     return elements_at<ConcurrencyTag>(
         indices_where<ConcurrencyTag>(candidates.size(),

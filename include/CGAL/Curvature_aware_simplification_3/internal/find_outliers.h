@@ -88,7 +88,8 @@ inline bool are_few_against(std::size_t second, std::size_t first)
 // those that lose a third of theirs. Without single points between them, clusters are apart. Where
 // there are more than a few near the surface, others get between k / 4 votes, the limit of the
 // first look, and k / 2, what a corner gets: a second look, once, asks for half of the votes,
-// unless it finds too many.
+// unless it finds too many. Where there are no more than a few, those in the plane of their
+// neighbors are lone points of a sparse border.
 template <typename ConcurrencyTag>
 std::vector<std::uint8_t> find_outliers(const Cloud& cloud, const Neighbor_search& search,
                                         const Shared_features& shared, std::size_t k,
@@ -104,10 +105,13 @@ std::vector<std::uint8_t> find_outliers(const Cloud& cloud, const Neighbor_searc
   const Sparseness sparseness = sparseness_of(shared.features.inverse_density);
   const bool are_dense = are_far_points_dense<ConcurrencyTag>(shared.features, sparseness);
   Outlier_votes votes(cloud, search, shared, k, sparseness, are_dense, settings, is_outlier, tag);
-  const std::size_t number_with_few_votes = votes.mark_few(tag).size();
+  const std::vector<std::size_t> with_few_votes = votes.mark_few(tag);
+  const bool are_more_than_a_few = is_more_than_a_few(with_few_votes.size(), cloud.size());
+  if (!are_more_than_a_few)
+    votes.keep_lone_points(with_few_votes, tag);
   progress.report(0.2);
   votes.trust(mark_far_points<ConcurrencyTag>(cloud, search, shared.features, k, sparseness,
-                                              number_with_few_votes, are_dense, settings,
+                                              with_few_votes.size(), are_dense, settings,
                                               is_outlier),
               tag);
   progress.report(0.5);
@@ -122,7 +126,7 @@ std::vector<std::uint8_t> find_outliers(const Cloud& cloud, const Neighbor_searc
     votes.mark(found, tag);
   }
   progress.report(0.9);
-  if (is_more_than_a_few(number_with_few_votes, cloud.size()))
+  if (are_more_than_a_few)
   {
     const std::vector<std::size_t> hidden = votes.less_than_half(tag);
     if (are_few_against(hidden.size(), marked().size()))
