@@ -29,6 +29,7 @@ IDEAS = [
     ("clusters not taken for outliers", "find_clusters=0"),
     ("sparse parts of a surface taken for outliers", "keep_sparse_surfaces=0"),
     ("far parts with strong noise taken for outliers", "keep_noisy_layers=0"),
+    ("lone points of sparse borders taken for outliers", "keep_lone_points=0"),
     ("noise not measured", "measure_noise=0"),
     ("noise measured in single columns of points", "find_columns=0"),
     ("the same noise everywhere", "noise_by_place=0"),

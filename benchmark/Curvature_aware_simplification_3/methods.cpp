@@ -248,6 +248,7 @@ Setting with_parameters(const std::string& parameters)
   set("find_clusters", settings.find_clusters);
   set("keep_sparse_surfaces", settings.keep_sparse_surfaces);
   set("keep_noisy_layers", settings.keep_noisy_layers);
+  set("keep_lone_points", settings.keep_lone_points);
   set("moves_to_foot_point", settings.moves_to_foot_point);
   set("denoise", settings.denoise);
   set("even_out", settings.even_out);

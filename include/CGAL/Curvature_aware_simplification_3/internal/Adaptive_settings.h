@@ -25,6 +25,8 @@ struct Adaptive_settings
   bool keep_sparse_surfaces = true;
   // Parts with so much noise that they look like a volume to their neighborhoods are none either.
   bool keep_noisy_layers = true;
+  // Lone points of sparse borders and corners are no outliers.
+  bool keep_lone_points = true;
   // Isolated clusters are outliers as well.
   bool find_clusters = true;
   // Noise is measured; without, there is taken to be none.

@@ -107,7 +107,7 @@ std::vector<std::uint8_t> find_outliers(const Cloud& cloud, const Neighbor_searc
   Outlier_votes votes(cloud, search, shared, k, sparseness, are_dense, settings, is_outlier, tag);
   const std::vector<std::size_t> with_few_votes = votes.mark_few(tag);
   const bool are_more_than_a_few = is_more_than_a_few(with_few_votes.size(), cloud.size());
-  if (!are_more_than_a_few)
+  if (settings.keep_lone_points && !are_more_than_a_few)
     votes.keep_lone_points(with_few_votes, tag);
   progress.report(0.2);
   votes.trust(mark_far_points<ConcurrencyTag>(cloud, search, shared.features, k, sparseness,

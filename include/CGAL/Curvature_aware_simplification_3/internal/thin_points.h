@@ -16,6 +16,7 @@
 #include <cmath>
 #include <cstddef>
 #include <functional>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -75,13 +76,13 @@ std::vector<std::size_t> thin_to_parts(std::vector<double> part, std::size_t num
   const double to_fit = static_cast<double>(fewest_points_to_fit + 1); // one may be lost
   const double wanted =
       (std::min)((std::max)(2. * static_cast<double>(number_of_samples), to_fit), all);
+  std::vector<double> sum = std::move(part);
   if (enough < wanted)
   {
     const double more = (wanted - enough) / (all - enough);
-    for_each_index<ConcurrencyTag>(0, n, [&](std::size_t i) { part[i] += more * (1. - part[i]); });
+    for_each_index<ConcurrencyTag>(0, n, [&](std::size_t i) { sum[i] += more * (1. - sum[i]); });
   }
-  sum_up<ConcurrencyTag>(part);
-  const std::vector<double>& sum = part;
+  sum_up<ConcurrencyTag>(sum);
   return indices_where<ConcurrencyTag>(
       n, [&](std::size_t i) { return std::floor(sum[i]) > std::floor(i > 0 ? sum[i - 1] : 0.); });
 }
