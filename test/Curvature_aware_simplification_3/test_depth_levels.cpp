@@ -63,6 +63,26 @@ TEST(Depth_levels, have_heights_and_gaps)
   EXPECT_EQ(Depth_levels().typical_step(), 0.);
 }
 
+// The squares of distances below 1e-162 are 0, and so is the step of a level between two jumps.
+TEST(Depth_levels, are_no_steps_without_a_size)
+{
+  Depth_levels levels;
+  levels.direction = Vector(0., 0., 1.);
+  levels.heights = {-10., 0., 10.};
+  levels.gap_above = {0., 0., 0.};
+  std::vector<Point> oblique;
+  for (int i = 0; i < 100; ++i)
+    oblique.emplace_back(i % 10, i / 10, i % 10 - 4.5);
+  Facet facet;
+  facet.point = Point(0., 0., 0.);
+  facet.spacing = 0.;
+  EXPECT_FALSE(is_on_steps(facet, levels, Neighbor_search(oblique, Tag())));
+  facet.spacing = 1.;
+  EXPECT_FALSE(is_on_steps(facet, levels, Neighbor_search(oblique, Tag())));
+  levels.gap_above = {2., 2., 0.};
+  EXPECT_TRUE(is_on_steps(facet, levels, Neighbor_search(oblique, Tag())));
+}
+
 TEST(Depth_levels, are_found_in_frames_of_a_depth_camera)
 {
   for (double step : {2., 3., 5., 8.})

@@ -342,6 +342,10 @@ TEST(Cloud, selects_duplicates_only_when_it_must)
   const Neighbor_search search(cloud.points, Tag());
   const Features features = compute_features<Tag, CGAL::Default_diagonalize_traits<double, 3>>(
       cloud, search, 8, Progress(no_callback));
+  EXPECT_EQ(features.number_of_neighbors, 8u);
+  const Features with_all = compute_features<Tag, CGAL::Default_diagonalize_traits<double, 3>>(
+      cloud, search, 100, Progress(no_callback));
+  EXPECT_EQ(with_all.number_of_neighbors, 29u);
   const std::vector<std::size_t> few =
       select_points<Tag>(cloud, features, selection_parameters(30, 1));
   EXPECT_TRUE(few.back() < 30u);
@@ -413,9 +417,6 @@ TEST(Box_of_most_points, leaves_out_what_is_far_only)
   EXPECT_NEAR(box_of().xmin(), -0.4, 0.03);
   EXPECT_NEAR(box_of().xmax(), 1.4, 0.03);
   EXPECT_EQ(box_of().zmax(), 0.);
-  points.emplace_back(1e200, 0., 0.); // no measurement
-  EXPECT_THROW(box_of(), std::invalid_argument);
-  points.pop_back();
   // a tenth of the points elsewhere is not a few
   for (int i = 0; i < 1200; ++i)
     points.emplace_back(500., 0., 0.);
@@ -440,43 +441,6 @@ TEST(Box_of_most_points, does_not_depend_on_the_order)
   }
 }
 
-TEST(Box_of_most_points, names_the_point_that_is_far)
-{
-  CGAL::Random random(27);
-  std::vector<Point> points;
-  for (int i = 0; i < 1000; ++i) // a plate with a bump
-    points.emplace_back(random.uniform_real(0., 1.), random.uniform_real(0., 1.),
-                        i < 40 ? 0.1 : 0.);
-  points.emplace_back(0.5, -1e200, 0.);
-  const CGAL::Bbox_3 box = CGAL::bbox_3(points.begin(), points.end());
-  try
-  {
-    box_of_most_points(points, box);
-    FAIL() << "no exception";
-  }
-  catch (const std::invalid_argument& error)
-  {
-    EXPECT_NE(std::string(error.what()).find("index 1000 "), std::string::npos) << error.what();
-  }
-}
-
-// as where a scanner writes the largest number for each direction that nothing came back from
-TEST(Box_of_most_points, is_asked_for_measurements_alone)
-{
-  CGAL::Random random(29);
-  for (std::size_t missing : {1U, 60U, 300U, 750U})
-  {
-    std::vector<Point> points;
-    for (int i = 0; i < 1000; ++i)
-      points.emplace_back(random.uniform_real(0., 1.), random.uniform_real(0., 1.), 0.);
-    const double most = (std::numeric_limits<double>::max)();
-    points.insert(points.end(), missing, Point(most, most, most));
-    EXPECT_THROW(box_of_most_points(points, CGAL::bbox_3(points.begin(), points.end())),
-                 std::invalid_argument)
-        << missing;
-  }
-}
-
 TEST(Box_of_most_points, does_not_keep_step_with_the_rows_of_a_scan)
 {
   CGAL::Random random(28);
@@ -485,6 +449,92 @@ TEST(Box_of_most_points, does_not_keep_step_with_the_rows_of_a_scan)
     points.emplace_back(random.uniform_real(0., 1.) + (i % 42 == 0 ? 500. : 0.), 0., 0.);
   const CGAL::Bbox_3 box = CGAL::bbox_3(points.begin(), points.end());
   EXPECT_LT(box_of_most_points(points, box).xmax(), 3.);
+}
+
+// of what is asked of points before their box
+std::string message_about(const std::vector<Point>& points)
+{
+  try
+  {
+    check_that_all_are_measurements(points, CGAL::bbox_3(points.begin(), points.end()));
+  }
+  catch (const std::invalid_argument& error)
+  {
+    return error.what();
+  }
+  return "none";
+}
+
+TEST(Measurements, that_are_far_are_named)
+{
+  CGAL::Random random(27);
+  std::vector<Point> points;
+  for (int i = 0; i < 1000; ++i) // a plate with a bump
+    points.emplace_back(random.uniform_real(0., 1.), random.uniform_real(0., 1.),
+                        i < 40 ? 0.1 : 0.);
+  EXPECT_EQ(message_about(points), "none");
+  points.emplace_back(0.5, -1e139, 0.);
+  EXPECT_EQ(message_about(points), "none");
+  points.emplace_back(0.5, -1e200, 0.);
+  EXPECT_NE(message_about(points).find("index 1001 "), std::string::npos);
+}
+
+// as where a scanner writes the largest number for each direction that nothing came back from
+TEST(Measurements, may_be_missing_nearly_everywhere)
+{
+  CGAL::Random random(29);
+  const double most = (std::numeric_limits<double>::max)();
+  for (std::size_t missing : {1U, 60U, 300U, 750U, 1000U, 1500U, 8000U})
+    for (const Point& marker : {Point(most, most, most), Point(0.5, 0.5, most)})
+    {
+      std::vector<Point> points;
+      for (int i = 0; i < 1000; ++i)
+        points.emplace_back(random.uniform_real(0., 1.), random.uniform_real(0., 1.), 0.);
+      points.insert(points.end(), missing, marker);
+      EXPECT_NE(message_about(points).find("index 1000 "), std::string::npos) << missing;
+      std::reverse(points.begin(), points.end());
+      EXPECT_NE(message_about(points).find("index 0 "), std::string::npos) << missing;
+    }
+}
+
+// The share of missing ones is that for which a random thousand could say this or that.
+TEST(Measurements, are_checked_in_any_order)
+{
+  CGAL::Random random(31);
+  for (double share : {0.45, 0.5, 0.9})
+  {
+    std::vector<Point> points;
+    for (int i = 0; i < 20000; ++i)
+      if (i < share * 20000.)
+        points.emplace_back(1e300, 1e300, 1e300);
+      else
+        points.emplace_back(random.uniform_real(0., 1.), random.uniform_real(0., 1.), 0.);
+    for (int i = 0; i < 20; ++i)
+    {
+      CGAL::cpp98::random_shuffle(points.begin(), points.end(), random);
+      EXPECT_NE(message_about(points), "none") << share;
+    }
+  }
+}
+
+// A quarter of the points in a spot, anywhere: in a unit of theirs, all others are as far.
+TEST(Measurements, have_one_scale)
+{
+  CGAL::Random random(30);
+  for (double place : {0., 0.3, 1.})
+  {
+    std::vector<Point> points;
+    for (int i = 0; i < 1000; ++i)
+      if (i % 4 == 0)
+        points.emplace_back(1e-150 * i, place, 1e-150 * (i % 17));
+      else
+        points.emplace_back(random.uniform_real(0., 1.), random.uniform_real(0., 1.), 0.);
+    EXPECT_NE(message_about(points).find("from many others"), std::string::npos) << place;
+    for (Point& p : points)
+      if (p.y() == place)
+        p = Point(0., place, 0.); // equal points are one
+    EXPECT_EQ(message_about(points), "none") << place;
+  }
 }
 
 TEST(Frame, has_a_diagonal_near_one_for_any_unit)

@@ -524,6 +524,26 @@ TEST_F(Paper, report_tells_what_was_found)
   EXPECT_DOUBLE_EQ(report.neighbor_radius, 0.25);
 }
 
+// 1e305 is more than any number in the unit of the computation.
+TEST_F(Paper, largest_radius_draws_to_the_center_as_all_do_that_hold_all_points)
+{
+  std::vector<Point> points = surfaces::sphere(1000, 15);
+  for (Point& p : points)
+    p = Point(1e-10 * p.x(), 1e-10 * p.y(), 1e-10 * p.z());
+  CGAL::Curvature_aware_simplification_report report;
+  const auto with_radius = [&](double radius)
+  {
+    return simplified(points,
+                      np::number_of_output_points(50).neighbor_radius(radius).simplification_report(
+                          std::ref(report)));
+  };
+  const std::vector<Point> output = with_radius(1e305);
+  EXPECT_EQ(report.neighbor_radius, 1e305);
+  EXPECT_EQ(output, with_radius(1e200));
+  for (const Point& p : output)
+    EXPECT_LT(CGAL::squared_distance(p, Point(CGAL::ORIGIN)), 1e-20);
+}
+
 // the message of the exception, or what was returned instead
 template <typename Function>
 std::string message_of(const Function& function)
@@ -657,7 +677,7 @@ TEST_P(Both_methods, errors_of_the_points)
 
   points[99] = Point(0., 0., -1e200); // a marker of an invalid measurement
   const std::string too_far = "points: the point at index 99 is more than 1e140 times as far from "
-                              "most others as these are from each other";
+                              "many others as these are from each other";
   EXPECT_EQ(message_of([&] { output = simplified(points); }), too_far);
   EXPECT_EQ(message_of([&] { output = subset(points); }), too_far);
 }
@@ -822,8 +842,8 @@ TEST_P(Both_methods, degenerate_coordinates_at_the_ends_of_their_range)
     tiny.emplace_back(1e-200 * p.x(), 1e-200 * p.y(), 1e-200 * p.z());
     huge.emplace_back(-1.7e308 + 1e305 * p.x(), 0., 1e305 * p.z());
   }
-  for (int i = 0; i < 1200; ++i) // most are not tiny, so that this is no mistake
-    tiny.emplace_back(i % 2 == 0 ? -1. : 1., 0., 1e-3 * i);
+  for (int i = 0; i < 9600; ++i) // less than a tenth is tiny, so that this is no mistake
+    tiny.emplace_back(i % 2 == 0 ? -1. : 1., 0., 1e-4 * i);
   huge.emplace_back(1.7e308, 0., 0.);
   for (std::size_t n : {1u, 50u, 900u})
     for (const std::vector<Point>* input : {&tiny, &huge})

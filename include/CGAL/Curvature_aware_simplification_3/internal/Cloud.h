@@ -10,6 +10,7 @@
 #include <CGAL/Curvature_aware_simplification_3/internal/Frame.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Uninitialized_vector.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/box_of_most_points.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/check_that_all_are_measurements.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/equal_points.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/loops.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/prefix_sums.h>
@@ -124,6 +125,7 @@ Cloud make_cloud(std::vector<Point> coordinates, double relative_error)
   const std::size_t n = coordinates.size();
   const Bbox_3 box = reduce_indices<ConcurrencyTag>(
       n, Bbox_3(), [&](std::size_t i) { return coordinates[i].bbox(); }, std::plus<Bbox_3>());
+  check_that_all_are_measurements(coordinates, box);
   const Bbox_3 most = box_of_most_points(coordinates, box);
   const Frame frame(box, most);
   const double largest_coordinate =

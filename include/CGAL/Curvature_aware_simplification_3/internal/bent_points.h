@@ -22,14 +22,13 @@ namespace internal {
 // Which points are on a surface that bends so much that there may be an edge: 1 if so. Noise alone
 // causes kappa = sigma^2 / (r^2 / 2) in a disk of radius r.
 template <typename ConcurrencyTag>
-std::vector<std::uint8_t> bent_points(const Features& features, std::size_t number_of_neighbors,
-                                      const Noise_levels& noise)
+std::vector<std::uint8_t> bent_points(const Features& features, const Noise_levels& noise)
 {
   std::vector<std::uint8_t> is_bent(features.surface_variation.size());
   for_each_index<ConcurrencyTag>(0, is_bent.size(),
                                  [&](std::size_t i)
                                  {
-    const double squared_size = squared_radius(features, i, number_of_neighbors);
+    const double squared_size = squared_radius(features, i);
     const double sigma = noise.at(i).level;
     is_bent[i] = features.surface_variation[i] * squared_size >
                          largest_variation_of_flat_points * squared_size + 2. * sigma * sigma

@@ -111,7 +111,7 @@ Scan clean_scan(Cloud cloud, std::unique_ptr<Neighbor_search> search, const Para
   const double area = area_of_surface<ConcurrencyTag>(features.inverse_density);
   noise.widen_to_columns();
   noise.make_visible_above(visible_error(number_of_samples, area));
-  std::vector<std::uint8_t> is_bent = bent_points<ConcurrencyTag>(features, k, noise);
+  std::vector<std::uint8_t> is_bent = bent_points<ConcurrencyTag>(features, noise);
   Scan scan{std::move(cloud.points),
             std::move(search),
             std::move(features.inverse_density),

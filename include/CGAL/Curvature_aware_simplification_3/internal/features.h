@@ -27,13 +27,15 @@ struct Features
 {
   std::vector<double> surface_variation; // kappa, in [0, 1/3]: the curvature of the paper
   std::vector<double> inverse_density;   // 1 / rho = r^2 / k, r the distance to the k-th neighbor
+  std::size_t number_of_neighbors = 0;   // k, of all
 };
 
 // r^2 of point i, with its k-th neighbor inside: 1/rho is rounded
-inline double squared_radius(const Features& features, std::size_t i, std::size_t k)
+inline double squared_radius(const Features& features, std::size_t i)
 {
   constexpr double rounding = 4. * std::numeric_limits<double>::epsilon();
-  return (1. + rounding) * features.inverse_density[i] * static_cast<double>(k);
+  return (1. + rounding) * features.inverse_density[i] *
+         static_cast<double>(features.number_of_neighbors);
 }
 
 struct Local_features
@@ -112,7 +114,7 @@ Features compute_features(const Cloud& cloud, const Neighbor_search& search,
 {
   const std::size_t n = cloud.size();
   const std::size_t size = neighborhood_size(number_of_neighbors, n);
-  Features features{std::vector<double>(n), std::vector<double>(n)};
+  Features features{std::vector<double>(n), std::vector<double>(n), size - 1};
   for_each_index<ConcurrencyTag>(n, progress,
                                  [&](std::size_t i)
                                  {

@@ -122,7 +122,9 @@ inline bool is_on_steps(const Facet& facet, const Depth_levels& levels,
   if (level == levels.heights.size())
     return false;
   const double step = levels.step_at(levels.heights[level]);
-  if (step < smallest * facet.spacing || step > largest * facet.spacing)
+  // squared distances may underflow, and a step be one of two jumps
+  if (!(facet.spacing > 0. && step > 0.) || step < smallest * facet.spacing ||
+      step > largest * facet.spacing)
     return false;
   // as many as in the ball, if the points are there as dense as here
   const double relative_radius = radius * step / facet.spacing;

@@ -104,8 +104,7 @@ private:
     for (std::size_t j = i; j > 0 && i - j < m_k; --j)
       if (m_is_outlier[j - 1] == 0 &&
           squared_distance(m_cloud.points[j - 1], m_cloud.points[i]) <=
-              (std::min)(squared_radius(m_features, j - 1, m_k),
-                         squared_radius(m_features, i, m_k)) &&
+              (std::min)(squared_radius(m_features, j - 1), squared_radius(m_features, i)) &&
           is_within_reach(i, j - 1))
         return false;
     return true;

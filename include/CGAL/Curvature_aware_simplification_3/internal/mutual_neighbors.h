@@ -26,7 +26,7 @@ void for_each_mutual_neighbor(const Cloud& cloud, const Neighbor_search& search,
   search.for_each_nearest(cloud.points[i], k + 1,
                           [&](std::size_t j, const Point&, double squared_distance)
                           {
-    if (j != i && counts(j) && squared_distance <= squared_radius(features, j, k))
+    if (j != i && counts(j) && squared_distance <= squared_radius(features, j))
       function(j);
   });
 }

@@ -60,7 +60,7 @@ Shared_features compute_shared_features(const Cloud& cloud, const Neighbor_searc
 
   const std::size_t n = cloud.size();
   const std::size_t size = neighborhood_size(number_of_neighbors, n);
-  Shared_features shared{{std::vector<double>(n), std::vector<double>(n)},
+  Shared_features shared{{std::vector<double>(n), std::vector<double>(n), size - 1},
                          std::vector<std::uint8_t>(n, 0),
                          std::vector<std::uint32_t>(n)};
   std::vector<std::uint8_t>& represented = shared.represented;

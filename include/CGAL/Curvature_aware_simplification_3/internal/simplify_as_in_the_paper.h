@@ -17,6 +17,8 @@
 
 #include <CGAL/Curvature_aware_simplification_report.h>
 
+#include <algorithm>
+
 namespace CGAL {
 namespace Curvature_aware_simplification_3 {
 namespace internal {
@@ -38,16 +40,19 @@ Distinct_samples simplify_as_in_the_paper(const Cloud& cloud, const Neighbor_sea
   report.selection_time = stopwatch.lap();
 
   const double spacing = sample_spacing<ConcurrencyTag>(samples.points);
-  const double h = parameters.neighbor_radius > 0.
-                       ? cloud.frame.length_to_frame(parameters.neighbor_radius)
-                       : radius_in_spacings * spacing;
+  // Of a radius that is far larger than all distances, squares must be numbers; theta is 1.
+  constexpr double largest_radius = 1e100;
+  const bool is_given = parameters.neighbor_radius > 0.;
+  const double h =
+      is_given ? (std::min)(cloud.frame.length_to_frame(parameters.neighbor_radius), largest_radius)
+               : radius_in_spacings * spacing;
   // A ball smaller than the rounding error of the coordinates holds nothing but its center.
   if (h > cloud.coordinate_error)
     samples.points = relax_repeatedly<ConcurrencyTag, DiagonalizeTraits>(
         samples.points, cloud, search, features, h, parameters, progress.part(0.5, 1.));
   report.relaxation_time = stopwatch.lap();
   report.output_spacing = cloud.frame.length_from_frame(spacing);
-  report.neighbor_radius = cloud.frame.length_from_frame(h);
+  report.neighbor_radius = is_given ? parameters.neighbor_radius : cloud.frame.length_from_frame(h);
   return samples;
 }
 
