@@ -6,6 +6,7 @@
 #include <CGAL/point_generators_3.h>
 
 #include <algorithm>
+#include <cstddef>
 #include <cstdlib>
 #include <iostream>
 #include <iterator>

@@ -10,6 +10,7 @@
 #include <boost/program_options.hpp>
 
 #include <cmath>
+#include <cstddef>
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
@@ -17,10 +18,12 @@
 #include <functional>
 #include <iostream>
 #include <iterator>
+#include <new>
 #include <optional>
 #include <sstream>
 #include <stdexcept>
 #include <string>
+#include <system_error>
 #include <vector>
 
 #ifdef _WIN32
@@ -44,6 +47,7 @@ struct Options
   double percentage;
   std::optional<long long> count;
   double adaptivity;
+  long long neighbors;
   long long iterations;
   bool settings_of_the_paper;
   double curvature_weight;
@@ -70,6 +74,8 @@ std::optional<Options> read_options(int argc, char* argv[])
       "count,n", po::value<long long>(), "number of points to return, instead of the percentage")(
       "adaptivity,a", po::value(&options.adaptivity)->default_value(2. / 3., "0.667"),
       "dependence of the density on the curvature, from 0 to 1; 0: uniform")(
+      "neighbors,k", po::value(&options.neighbors)->default_value(16),
+      "number of neighbors that tell outliers and curvature; more for large clusters of outliers")(
       "iterations,i", po::value(&options.iterations)->default_value(10),
       "number of iterations of the relaxation")(
       "seed,s", po::value(&options.seed)->default_value(0), "seed of the random numbers")(
@@ -165,6 +171,11 @@ Point_set read(const std::string& filename)
   try
   {
     is_read = CGAL::IO::read_point_set(filename, points);
+  }
+  catch (const std::bad_alloc&) // is no matter of the file's format
+  {
+    std::cerr.rdbuf(standard_error);
+    throw;
   }
   catch (...)
   {}
@@ -267,14 +278,15 @@ void print(const CGAL::Curvature_aware_simplification_report& report)
             << "depth step " << report.depth_step << "\n"
             << "outliers   " << report.number_of_outliers << "\n"
             << "noise      " << report.noise_level << "\n"
-            << "sorting    " << report.sorting_time << " s\n"
-            << "features   " << report.features_time << " s\n"
-            << "outliers   " << report.outliers_time << " s\n"
-            << "noise      " << report.noise_time << " s\n"
-            << "smoothing  " << report.smoothing_time << " s\n"
-            << "selection  " << report.selection_time << " s\n"
-            << "relaxation " << report.relaxation_time << " s\n"
-            << "projection " << report.projection_time << " s\n";
+            << "time of\n"
+            << "  sorting    " << report.sorting_time << " s\n"
+            << "  features   " << report.features_time << " s\n"
+            << "  outliers   " << report.outliers_time << " s\n"
+            << "  noise      " << report.noise_time << " s\n"
+            << "  smoothing  " << report.smoothing_time << " s\n"
+            << "  selection  " << report.selection_time << " s\n"
+            << "  relaxation " << report.relaxation_time << " s\n"
+            << "  projection " << report.projection_time << " s\n";
 }
 
 template <typename NamedParameters>
@@ -319,6 +331,7 @@ void run(const Options& options)
                       .curvature_dependence(options.curvature_dependence)
                       .adaptivity(options.adaptivity)
                       .settings_of_the_paper(options.settings_of_the_paper)
+                      .number_of_neighbors(options.neighbors)
                       .number_of_iterations(options.iterations)
                       .random_seed(options.seed)
                       .callback(callback);

@@ -46,6 +46,8 @@ The complexity is \f$O(M (\log M + k))\f$.
 
 \tparam ConcurrencyTag enables sequential versus parallel algorithm. Possible values are
         `Sequential_tag`, `Parallel_tag`, and `Parallel_if_available_tag`. The result is the same.
+        `Parallel_tag` requires the program to be linked with \ref thirdpartyTBB, and does not compile
+        otherwise. The number of threads is that of TBB, see `tbb::global_control`.
 \tparam PointRange is a model of `ConstRange` that has the nested type `iterator` as well, as containers and
         `CGAL::Iterator_range` do. The value type of its iterator is the key type of the named parameter
         `point_map`.
@@ -119,8 +121,9 @@ The complexity is \f$O(M (\log M + k))\f$.
     \cgalParamType{an instance of `std::function<bool(double)>`}
     \cgalParamDefault{unused}
     \cgalParamExtra{It is called on the calling thread with the current advancement, from 0 to 1,
-                    which never decreases. If it returns `false`, nothing is written to `output`. It may throw:
-                    the exception is passed on, and nothing is written either.}
+                    which never decreases. If it returns `false`, nothing is written to `output`, which is
+                    returned as it was: only the callback knows. It may throw: the exception is passed on,
+                    and nothing is written either.}
   \cgalParamNEnd
 
   \cgalParamNBegin{geom_traits}
@@ -140,9 +143,10 @@ The complexity is \f$O(M (\log M + k))\f$.
 \return the iterator behind the last element written
 
 \throws std::invalid_argument if `points` is empty, a coordinate is not finite (the message tells the
-        index of the first such point), points are more than 1e140 times as far from most others as these
-        are from each other (as if the largest `double` stood for a missing measurement), or a parameter is
-        out of its range (the message tells its name, its value and what is allowed); nothing is written then
+        index of the first such point), points are more than 1e140 times as far from a tenth of the others
+        or more as these are from each other (as if the largest `double` stood for a missing measurement),
+        or a parameter is out of its range (the message tells its name, its value and what is allowed);
+        nothing is written then
 
 \sa `CGAL::curvature_aware_simplify_point_set()`
 \sa `CGAL::random_simplify_point_set()`

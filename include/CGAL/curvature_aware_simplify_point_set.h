@@ -42,26 +42,28 @@ input:
    borders.
 -# Where there is noise, samples move towards fits to more neighbors, as far as noise explains the
    difference, and then push each other apart once more.
--# With hardly any outliers, samples whose fits miss the nearest points, as on thin parts, by more than noise
-   explains move to these. Samples next to a sharp edge move onto it, and those next to a corner of a border into it.
+-# If no more points than three and a thousandth of all were found to be outliers, samples whose fits miss the
+   nearest points, as on thin parts, by more than noise explains move to these. Samples next to a sharp edge move onto it, and those next to a corner of a border into it.
 
-With the defaults, of fewer than 57 distinct points, outliers not counted, which no fit tells the
-surface of, some are selected evenly along the space-filling curve and none is moved; of the
-parameters, only the number of points and the seed matter, and where there are outliers,
-`number_of_neighbors`.
+Fewer than 57 distinct points, outliers not counted, do not tell the surface. Of these, some are
+selected evenly along the space-filling curve and none is moved; of the parameters, only the number
+of points and the seed matter, and where there are outliers, `number_of_neighbors`.
 
 What was found is told by `simplification_report`. The manual has the details.
 
-The result does not depend on the unit or the origin of the coordinates (but where rounding decides:
-between equal distances, as on regular grids, or whether a point is an outlier, by which other
-samples, as good, may be selected), nor on the order of the points (but for which
-duplicates are returned, if more points are asked for than are distinct), and is the same, bit by
-bit, for the same input and seed, whatever the concurrency tag and the number of threads. The input
-is neither changed nor reordered. With \f$M\f$ input and \f$N\f$ output points, the time is \f$O(M (\log M + k) + i N \log M)\f$ for \f$i\f$ iterations, the memory
-\f$O(M)\f$; with the settings of the paper and \f$n\f$ points in a ball of the radius \f$h\f$, the time is
-\f$O(M (\log M + k) + i N (\log M + n))\f$, and with `require_uniform_sampling` \f$O(M n)\f$ more.
+The input is neither changed nor reordered. The result is the same, bit by bit, for the same input and
+seed, whatever the concurrency tag and the number of threads; another compiler, other options or another
+version of a library may round differently. It depends neither on the unit and the origin of the
+coordinates nor on the order of the points, with two exceptions: where rounding decides, between equal
+distances, as on regular grids, or about whether a point is an outlier, other samples, as good, may be
+selected; and if more points are asked for than are distinct, the order decides which duplicates are
+returned.
 
-<b>The settings of the paper</b> are available with `settings_of_the_paper(true)`. Then,
+With \f$M\f$ input and \f$N\f$ output points, the time is \f$O(M (\log M + k) + i N \log M)\f$ for
+\f$i\f$ iterations, and the memory \f$O(M)\f$.
+
+<b>The settings of the paper</b> are available with `settings_of_the_paper(true)`. Instead of all of the
+above,
 
 -# the surface variation \f$\kappa\f$ and the density \f$\rho\f$ of every input point are computed from
    its nearest neighbors, see `CGAL::estimate_surface_variation()`;
@@ -83,10 +85,14 @@ M}\f$, with \f$D\f$ the length of the diagonal of the input's bounding box, depe
 becomes \f$4 D / \sqrt{M}\f$ for an input scaled to \f$D = 1\f$. It does not depend on \f$N\f$ either,
 and holds no other sample when few are asked for, so that nothing is spread. The default here follows
 the spacing of the output instead. Random numbers are a function of the position of a point in the
-input then, so that a permutation of the input gives another selection.
+input then, so that a permutation of the input gives another selection. With \f$n\f$ points in a ball of
+the radius \f$h\f$, the time is \f$O(M (\log M + k) + i N (\log M + n))\f$, with
+`require_uniform_sampling` \f$O(M n)\f$ more, and with `recompute_curvature` \f$O(i N k)\f$ more.
 
 \tparam ConcurrencyTag enables sequential versus parallel algorithm. Possible values are
         `Sequential_tag`, `Parallel_tag`, and `Parallel_if_available_tag`. The result is the same.
+        `Parallel_tag` requires the program to be linked with \ref thirdpartyTBB, and does not compile
+        otherwise. The number of threads is that of TBB, see `tbb::global_control`.
 \tparam PointRange is a model of `ConstRange` that has the nested type `iterator` as well, as containers and
         `CGAL::Iterator_range` do. The value type of its iterator is the key type of the named parameter
         `point_map`.
@@ -113,16 +119,18 @@ input then, so that a permutation of the input gives another selection.
     \cgalParamDescription{percentage of points to return}
     \cgalParamType{floating scalar value, above 0 and at most 100}
     \cgalParamDefault{`5`}
-    \cgalParamExtra{The number of points is rounded down, but is at least 1.}
+    \cgalParamExtra{The number of points is rounded down, but is at least 1. 100 does not clean a scan: see
+                    `number_of_output_points`.}
   \cgalParamNEnd
 
   \cgalParamNBegin{number_of_output_points}
     \cgalParamDescription{number of points to return; if it is given, `select_percentage` is ignored}
     \cgalParamType{an integer from 1 to the number of input points}
     \cgalParamDefault{unused}
-    \cgalParamExtra{If as many as all distinct points are asked for, these are returned, equal up to
-                    the rounding of their coordinates: there is nothing to choose. With the settings of the
-                    paper, they are moved.}
+    \cgalParamExtra{If as many as all distinct points are asked for, these are returned as they are, up to
+                    the rounding of their coordinates, with their noise and outliers: there is nothing to
+                    choose. If more are asked for than would be left without the outliers, none are
+                    left out. With the settings of the paper, all are moved.}
   \cgalParamNEnd
 
   \cgalParamNBegin{adaptivity}
@@ -162,8 +170,10 @@ input then, so that a permutation of the input gives another selection.
     \cgalParamDefault{`16`}
     \cgalParamExtra{Clusters of up to eight times as many outliers are found, if they are farther from all
                     else than so many neighbors reach. More neighbors make the surface variation robust
-                    against noise and blind to details smaller than the neighborhood. With less than about 8, points of clean surfaces look like outliers: of
-                    random points on a torus 8 % with 2, 2 % with 3, 0.15 % with 5.}
+                    against noise and blind to details smaller than the neighborhood. With less than about 8,
+                    points of clean surfaces look like outliers: of random points on a torus 8 % with 2, 2 %
+                    with 3, 0.15 % with 5. Three points are always in a plane: with 2, neither edges nor
+                    outliers far from all else are seen.}
   \cgalParamNEnd
 
   \cgalParamNBegin{settings_of_the_paper}
@@ -237,8 +247,9 @@ input then, so that a permutation of the input gives another selection.
     \cgalParamType{an instance of `std::function<bool(double)>`}
     \cgalParamDefault{unused}
     \cgalParamExtra{It is called on the calling thread with the current advancement, from 0 to 1,
-                    which never decreases. If it returns `false`, nothing is written to `output`. It may throw:
-                    the exception is passed on, and nothing is written either.}
+                    which never decreases. If it returns `false`, nothing is written to `output`, which is
+                    returned as it was, nor to the report: only the callback knows. It may throw: the
+                    exception is passed on, and nothing is written either.}
   \cgalParamNEnd
 
   \cgalParamNBegin{simplification_report}
@@ -265,9 +276,10 @@ input then, so that a permutation of the input gives another selection.
 \return the iterator behind the last point written
 
 \throws std::invalid_argument if `points` is empty, a coordinate is not finite (the message tells the
-        index of the first such point), points are more than 1e140 times as far from most others as these
-        are from each other (as if the largest `double` stood for a missing measurement), or a parameter is
-        out of its range (the message tells its name, its value and what is allowed); nothing is written then
+        index of the first such point), points are more than 1e140 times as far from a tenth of the others
+        or more as these are from each other (as if the largest `double` stood for a missing measurement),
+        or a parameter is out of its range (the message tells its name, its value and what is allowed);
+        nothing is written then
 
 \sa `CGAL::wlop_simplify_and_regularize_point_set()`
 \sa `CGAL::curvature_aware_random_simplify_point_set()`

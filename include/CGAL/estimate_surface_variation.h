@@ -44,6 +44,8 @@ The complexity is \f$O(n (\log n + k))\f$ for \f$n\f$ points.
 
 \tparam ConcurrencyTag enables sequential versus parallel algorithm. Possible values are
         `Sequential_tag`, `Parallel_tag`, and `Parallel_if_available_tag`. The result is the same.
+        `Parallel_tag` requires the program to be linked with \ref thirdpartyTBB, and does not compile
+        otherwise. The number of threads is that of TBB, see `tbb::global_control`.
 \tparam PointRange is a model of `ConstRange` that has the nested type `iterator` as well, as containers and
         `CGAL::Iterator_range` do. The value type of its iterator is the key type of the named parameter
         `point_map`.
@@ -94,8 +96,8 @@ The complexity is \f$O(n (\log n + k))\f$ for \f$n\f$ points.
 \return `true`, or `false` if the callback stopped the computation
 
 \throws std::invalid_argument if `points` is empty, a coordinate is not finite (the message tells the
-        index of the first such point), points are more than 1e140 times as far from most others as these
-        are from each other, or `k` is below 2 or above 4294967295; nothing is written then
+        index of the first such point), points are more than 1e140 times as far from a tenth of the others
+        or more as these are from each other, or `k` is below 2 or above 4294967295; nothing is written then
 */
 template <typename ConcurrencyTag, typename PointRange, typename SurfaceVariationMap,
           typename NamedParameters = parameters::Default_named_parameters>

@@ -55,7 +55,7 @@ for option in "-i 3" "-a 0" "--paper"; do
   cmp -s changed.xyz out.xyz && fail "no effect of $option"
 done
 "$tool" -q --paper patch.xyz paper.xyz
-for option in "-r 0.3" "-d 0" "-w 0.1"; do
+for option in "-r 0.3" "-d 0" "-w 0.1" "-k 40"; do
   # shellcheck disable=SC2086
   "$tool" -q --paper $option patch.xyz changed.xyz || fail "$option"
   cmp -s changed.xyz paper.xyz && fail "no effect of $option"
@@ -122,6 +122,7 @@ must_fail "number_of_output_points is -3, but must be" -n -3 patch.xyz new.xyz
 must_fail "number_of_output_points is 10001, but must be .* 10000" -n 10001 patch.xyz new.xyz
 must_fail "neighbor_radius is 0, but must be above 0" --paper -r 0 patch.xyz new.xyz
 must_fail "number_of_iterations is -1" -i -1 patch.xyz new.xyz
+must_fail "number_of_neighbors is 1, but must be" -k 1 patch.xyz new.xyz
 
 # a full disk: nothing is left, and an older file stays
 if [ "$(uname)" = Linux ]; then
