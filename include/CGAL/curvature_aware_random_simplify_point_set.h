@@ -143,10 +143,10 @@ The complexity is \f$O(M (\log M + k))\f$.
 \return the iterator behind the last element written
 
 \throws std::invalid_argument if `points` is empty, a coordinate is not finite (the message tells the
-        index of the first such point), points are more than 1e140 times as far from a tenth of the others
-        or more as these are from each other (as if the largest `double` stood for a missing measurement),
-        or a parameter is out of its range (the message tells its name, its value and what is allowed);
-        nothing is written then
+        index of the first such point), points are so far from many others that these would be as one, as if
+        the largest number stood for a missing measurement (the message tells the index of one, the manual
+        how far is too far), or a parameter is out of its range (the message tells its name, its value and
+        what is allowed); nothing is written then
 
 \sa `CGAL::curvature_aware_simplify_point_set()`
 \sa `CGAL::random_simplify_point_set()`

@@ -96,8 +96,8 @@ The complexity is \f$O(n (\log n + k))\f$ for \f$n\f$ points.
 \return `true`, or `false` if the callback stopped the computation
 
 \throws std::invalid_argument if `points` is empty, a coordinate is not finite (the message tells the
-        index of the first such point), points are more than 1e140 times as far from a tenth of the others
-        or more as these are from each other, or `k` is below 2 or above 4294967295; nothing is written then
+        index of the first such point), points are so far from many others that these would be as one, as if
+        the largest number stood for a missing measurement (the manual tells how far is too far), or `k` is below 2 or above 4294967295; nothing is written then
 */
 template <typename ConcurrencyTag, typename PointRange, typename SurfaceVariationMap,
           typename NamedParameters = parameters::Default_named_parameters>

@@ -456,7 +456,8 @@ std::string message_about(const std::vector<Point>& points)
 {
   try
   {
-    check_that_all_are_measurements(points, CGAL::bbox_3(points.begin(), points.end()));
+    const CGAL::Bbox_3 box = CGAL::bbox_3(points.begin(), points.end());
+    check_that_all_are_measurements(points, box, box_of_most_points(points, box) == box);
   }
   catch (const std::invalid_argument& error)
   {
@@ -495,6 +496,33 @@ TEST(Measurements, may_be_missing_nearly_everywhere)
       std::reverse(points.begin(), points.end());
       EXPECT_NE(message_about(points).find("index 0 "), std::string::npos) << missing;
     }
+}
+
+// The largest float is not too far for squares, but the others would be one point.
+TEST(Measurements, may_be_missing_as_floats)
+{
+  CGAL::Random random(32);
+  const double most = (std::numeric_limits<float>::max)();
+  for (std::size_t missing : {1U, 60U, 300U, 1500U, 8000U})
+  {
+    std::vector<Point> points;
+    for (int i = 0; i < 1000; ++i)
+      points.emplace_back(random.uniform_real(0., 1.), random.uniform_real(0., 1.), 0.);
+    points.insert(points.end(), missing, Point(most, most, most));
+    // a few far ones do not decide over the others
+    EXPECT_EQ(message_about(points),
+              missing == 1U ? "none"
+                            : "points: the point at index 1000 is more than 1e15 times as far from "
+                              "many others as these are from each other");
+  }
+  // two dense clusters are measurements, and so are copies of a point that differ by rounding
+  std::vector<Point> clusters, copies;
+  for (int i = 0; i < 1000; ++i)
+    clusters.emplace_back(random.uniform_real(0., 1e-9) + i % 2, 0., 0.);
+  for (int i = 0; i < 40; ++i)
+    copies.emplace_back(i % 4 == 0 ? 1e-20 * i : 0.1 * i, 0.01 * i * i, 0.);
+  EXPECT_EQ(message_about(clusters), "none");
+  EXPECT_EQ(message_about(copies), "none");
 }
 
 // The share of missing ones is that for which a random thousand could say this or that.

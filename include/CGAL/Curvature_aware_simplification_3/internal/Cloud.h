@@ -125,8 +125,8 @@ Cloud make_cloud(std::vector<Point> coordinates, double relative_error)
   const std::size_t n = coordinates.size();
   const Bbox_3 box = reduce_indices<ConcurrencyTag>(
       n, Bbox_3(), [&](std::size_t i) { return coordinates[i].bbox(); }, std::plus<Bbox_3>());
-  check_that_all_are_measurements(coordinates, box);
   const Bbox_3 most = box_of_most_points(coordinates, box);
+  check_that_all_are_measurements(coordinates, box, most == box);
   const Frame frame(box, most);
   const double largest_coordinate =
       (std::max)({-most.xmin(), -most.ymin(), -most.zmin(), most.xmax(), most.ymax(), most.zmax()});

@@ -46,26 +46,28 @@ inline double share_within(const std::vector<Point>& points, const Point& p, dou
   return are_equal ? 0. : static_cast<double>(number) / static_cast<double>(points.size());
 }
 
-[[noreturn]] inline void throw_point_too_far(const std::vector<Point>& points, const Point& from)
+[[noreturn]] inline void throw_point_too_far(const std::vector<Point>& points, const Point& from,
+                                             const std::string& times)
 {
   const auto farthest = std::max_element(points.begin(), points.end(),
                                          [&](const Point& p, const Point& q) {
     return half_of_distance(p, from) < half_of_distance(q, from);
   });
   throw std::invalid_argument("points: the point at index " +
-                              std::to_string(farthest - points.begin()) +
-                              " is more than 1e140 times as far from many others as these are from "
-                              "each other");
+                              std::to_string(farthest - points.begin()) + " is more than " + times +
+                              " times as far from many others as these are from each other");
 }
 
-// Throws if `box`, that of all points, is so large against the distances of a tenth of them that in
-// its unit, the squares of these would underflow: what is so far away is no measurement, but stands
-// for the lack of one. That may be most of the points, as not every direction of a scanner comes
-// back.
-inline void check_that_all_are_measurements(const std::vector<Point>& points, const Bbox_3& box)
+// What is far from a tenth of the points is no measurement, but stands for the lack of one. That
+// may be most of the points, as not every direction of a scanner comes back. Throws if `box`, that
+// of all points, is so large against the distances of a tenth of them that in its unit, the squares
+// of these would underflow, or, where its center is the origin, that these points, enough for a
+// surface, would be one by rounding.
+inline void check_that_all_are_measurements(const std::vector<Point>& points, const Bbox_3& box,
+                                            bool is_its_center_the_origin)
 {
-  constexpr double no_digits = 1e140;
-  constexpr double share = 0.1;
+  constexpr double too_small = 1e-140, equal = 1e-15; // of the box
+  constexpr double share = 0.1, enough = 50.;
   // Of a thousand random points, less than 60 for a tenth of all is more than four standard
   // deviations off, and none of 150 is in that tenth once in 10^7 inputs. If there may be something
   // so far, all points tell.
@@ -74,12 +76,17 @@ inline void check_that_all_are_measurements(const std::vector<Point>& points, co
 
   const std::vector<Point> some = some_points(points);
   const Counter_based_random random(0, 1);
-  const double half = half_of_longest_side(box) / no_digits;
+  const double half = half_of_longest_side(box);
+  const double share_for_a_surface = (std::max)(share, enough / static_cast<double>(points.size()));
   for (std::uint64_t i = 0; i < candidates; ++i)
   {
     const Point& p = points[random.bits(i) % points.size()];
-    if (share_within(some, p, half) >= share_of_some && share_within(points, p, half) >= share)
-      throw_point_too_far(points, p);
+    if (share_within(some, p, equal * half) < share_of_some)
+      continue;
+    if (share_within(points, p, too_small * half) >= share)
+      throw_point_too_far(points, p, "1e140");
+    if (is_its_center_the_origin && share_within(points, p, equal * half) >= share_for_a_surface)
+      throw_point_too_far(points, p, "1e15");
   }
 }
 
