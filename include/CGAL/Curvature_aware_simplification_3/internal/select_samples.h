@@ -15,6 +15,7 @@
 #include <CGAL/Curvature_aware_simplification_3/internal/fit_to_neighbors.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/lattice_spacing.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/loops.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/prefix_sums.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/read_parameters.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/sampling_density.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/select_along_curve.h>
@@ -27,9 +28,10 @@ namespace Curvature_aware_simplification_3 {
 namespace internal {
 
 // One sample for each point asked for, on points of the scan that are selected with the wanted
-// density. They have no surface yet.
+// density. They have no surface yet. The scan lets go of its points, whose memory the samples take:
+// from here on, fits have those of the search.
 template <typename ConcurrencyTag>
-std::vector<Surface_sample> select_samples(const Scan& scan, const Parameters& parameters,
+std::vector<Surface_sample> select_samples(Scan& scan, const Parameters& parameters,
                                            const Adaptive_settings& settings,
                                            const Progress& progress)
 {
@@ -38,11 +40,14 @@ std::vector<Surface_sample> select_samples(const Scan& scan, const Parameters& p
       scan, number_of_samples, parameters.adaptivity, settings, progress);
   const std::vector<std::size_t> selected = select_along_curve<ConcurrencyTag>(
       wanted.ranges, wanted.weight, number_of_samples, parameters.random_seed);
+  const std::vector<Point> selected_points = elements_at<ConcurrencyTag>(selected, scan.points);
+  scan.points = std::vector<Point>();
+  scan.inverse_density = std::vector<double>();
   std::vector<Surface_sample> samples(number_of_samples);
   for_each_index<ConcurrencyTag>(0, number_of_samples,
                                  [&](std::size_t i)
                                  {
-    samples[i].point = scan.points[selected[i]];
+    samples[i].point = selected_points[i];
     samples[i].spacing = lattice_spacing(wanted.density[wanted.ranges.range_of(selected[i])]);
     samples[i].noise = &scan.noise.at(selected[i]);
   });

@@ -78,8 +78,6 @@ Distinct_samples simplify_adaptively(Cloud cloud, std::unique_ptr<Neighbor_searc
   Stopwatch stopwatch;
   std::vector<Surface_sample> samples =
       select_samples<ConcurrencyTag>(scan, parameters, settings, progress.part(0.4, 0.5));
-  scan.points = std::vector<Point>(); // from here on, fits take them from the search
-  scan.inverse_density = std::vector<double>();
   report.selection_time = stopwatch.lap();
 
   // each sample has its own noise

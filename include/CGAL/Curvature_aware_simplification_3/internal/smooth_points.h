@@ -11,6 +11,7 @@
 #include <CGAL/Curvature_aware_simplification_3/internal/Surface_fit.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/fit_quadric.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/loops.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/prefix_sums.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/thin_points.h>
 
 #include <algorithm>
@@ -132,22 +133,18 @@ Noise_levels smooth_points(std::vector<Point>& points, const std::vector<double>
   const Surface_fit fit{search, no_noise, settings}; // each point has its own noise
   const std::vector<std::size_t> kept_points =
       thin_points<ConcurrencyTag>(inverse_density, noise, number_of_samples);
-  const std::size_t kept = kept_points.size();
-  std::vector<Point> smoothed(kept);
-  std::vector<double> variance(kept);
-  std::vector<std::uint8_t> is_kept_bent(kept);
-  for_each_index<ConcurrencyTag>(kept, progress,
+  std::vector<double> variance(kept_points.size());
+  for_each_index<ConcurrencyTag>(kept_points.size(), progress,
                                  [&](std::size_t i)
                                  {
     const std::size_t j = kept_points[i];
     const Smoothed_point result =
         smooth_point(fit.with(noise.at(j)), points[j], inverse_density[j]);
-    smoothed[i] = result.point;
+    points[j] = result.point; // the search has its own
     variance[i] = result.variance;
-    is_kept_bent[i] = is_bent[j];
   });
-  points.swap(smoothed);
-  is_bent.swap(is_kept_bent);
+  keep_elements<ConcurrencyTag>(kept_points, points);
+  keep_elements<ConcurrencyTag>(kept_points, is_bent);
   return noise_left<ConcurrencyTag>(noise, kept_points, variance);
 }
 
