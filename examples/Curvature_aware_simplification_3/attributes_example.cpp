@@ -11,12 +11,10 @@
 #include <CGAL/curvature_aware_simplify_point_set.h>
 #include <CGAL/jet_estimate_normals.h>
 #include <CGAL/mst_orient_normals.h>
-#include <CGAL/number_type_config.h>
+#include <CGAL/point_generators_3.h>
 
-#include <cmath>
 #include <cstdlib>
 #include <iostream>
-#include <random>
 
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Point = Kernel::Point_3;
@@ -27,19 +25,15 @@ using Search_traits = CGAL::Search_traits_adapter<Point_set::Index, Point_set::P
 using Neighbor_search = CGAL::Orthogonal_k_neighbor_search<Search_traits>;
 using Concurrency_tag = CGAL::Parallel_if_available_tag;
 
-// 40,000 points of a torus with noise, dyed along its tube
-void insert_torus(Point_set& scan, Color_map& red)
+// 40,000 points of a sphere, dyed by their height
+void insert_sphere(Point_set& scan, Color_map& red)
 {
-  std::mt19937 engine(0);
-  std::normal_distribution<double> noise(0., 0.02);
   CGAL::Random random(0);
+  CGAL::Random_points_on_sphere_3<Point> generator(1., random);
   for (int i = 0; i < 40000; ++i)
   {
-    const double u = random.get_double(0., 2. * CGAL_PI);
-    const double v = random.get_double(0., 2. * CGAL_PI);
-    const double tube = 1. + noise(engine), distance = 3. + tube * std::cos(v);
-    const Point p(distance * std::cos(u), distance * std::sin(u), tube * std::sin(v));
-    red[*scan.insert(p)] = static_cast<unsigned char>(127.5 + 127.5 * std::cos(v));
+    const Point p = *generator++;
+    red[*scan.insert(p)] = static_cast<unsigned char>(127.5 + 127.5 * p.z());
   }
 }
 
@@ -62,7 +56,7 @@ int main()
 {
   Point_set scan;
   Color_map red = scan.add_property_map<unsigned char>("red", 0).first;
-  insert_torus(scan, red);
+  insert_sphere(scan, red);
 
   Point_set points;
   CGAL::curvature_aware_simplify_point_set<Concurrency_tag>(scan, points.point_back_inserter());

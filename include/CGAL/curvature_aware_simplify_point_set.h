@@ -62,8 +62,7 @@ returned.
 With \f$M\f$ input and \f$N\f$ output points, the time is \f$O(M (\log M + k) + i N \log M)\f$ for
 \f$i\f$ iterations, and the memory \f$O(M)\f$.
 
-<b>The settings of the paper</b> are available with `settings_of_the_paper(true)`. Instead of all of the
-above,
+<b>The settings of the paper</b> are available with `settings_of_the_paper(true)`. Instead of these steps,
 
 -# the surface variation \f$\kappa\f$ and the density \f$\rho\f$ of every input point are computed from
    its nearest neighbors, see `CGAL::estimate_surface_variation()`;

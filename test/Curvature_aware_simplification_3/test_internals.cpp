@@ -525,7 +525,7 @@ TEST(Measurements, may_be_missing_as_floats)
   EXPECT_EQ(message_about(copies), "none");
 }
 
-// The share of missing ones is that for which a random thousand could say this or that.
+// A random thousand may say this or that of a half, and of a tenth that is left.
 TEST(Measurements, are_checked_in_any_order)
 {
   CGAL::Random random(31);

@@ -38,7 +38,7 @@ inline double share_within(const std::vector<Point>& points, const Point& p, dou
   std::size_t number = 0;
   bool are_equal = true;
   for (const Point& q : points)
-    if (std::abs(p.x() / 2. - q.x() / 2.) <= half && half_of_distance(p, q) <= half)
+    if (half_of_distance(p, q) <= half)
     {
       ++number;
       are_equal = are_equal && p == q;
@@ -66,7 +66,10 @@ inline double share_within(const std::vector<Point>& points, const Point& p, dou
 inline void check_that_all_are_measurements(const std::vector<Point>& points, const Bbox_3& box,
                                             bool is_its_center_the_origin)
 {
-  constexpr double too_small = 1e-140, equal = 1e-15; // of the box
+  // Of the box: the square of the one is a number with all its digits, and the other is a few units
+  // in the last place.
+  constexpr double too_small = 1e-140, equal = 1e-15;
+  // A tenth of fewer points may be copies of one that differ by rounding.
   constexpr double share = 0.1, enough = 50.;
   // Of a thousand random points, less than 60 for a tenth of all is more than four standard
   // deviations off, and none of 150 is in that tenth once in 10^7 inputs. If there may be something
