@@ -172,11 +172,11 @@ TEST(Denoising, takes_the_part_of_a_step_with_the_least_expected_error)
   // by how much the shape missed grows from one fit to the next
   const double c = 1. / (std::pow(2., 1.5) - 1.);
   EXPECT_NEAR(Adaptive_settings().missed_shape, c, 0.0005);
-  EXPECT_EQ(part_of_step(0., 0., c), 1.);
-  EXPECT_EQ(part_of_step(0.5, 1., c), 1.); // all noise
-  EXPECT_NEAR(part_of_step(2., 1., 0.547), 0.2265, 1e-12);
-  EXPECT_EQ(part_of_step(10., 1., c), 0.); // all shape
-  EXPECT_EQ(part_of_step(4., 1., 0.), 0.25);
+  EXPECT_EQ(part_of_step({0., 0.}, c), 1.);
+  EXPECT_EQ(part_of_step({0.5, 1.}, c), 1.); // all noise
+  EXPECT_NEAR(part_of_step({2., 1.}, 0.547), 0.2265, 1e-12);
+  EXPECT_EQ(part_of_step({10., 1.}, c), 0.); // all shape
+  EXPECT_EQ(part_of_step({4., 1.}, 0.), 0.25);
   // brute force: shape s and c s missed before it, noise v
   const double v = 1., s = 0.7;
   const auto error = [&](double w) { return std::pow(c * s + w * s, 2) + (1. - w) * (1. - w) * v; };
@@ -184,7 +184,7 @@ TEST(Denoising, takes_the_part_of_a_step_with_the_least_expected_error)
   for (double w = 0.; w <= 1.; w += 0.001)
     if (error(w) < error(best))
       best = w;
-  EXPECT_NEAR(part_of_step(v + s * s, v, c), best, 0.002);
+  EXPECT_NEAR(part_of_step({v + s * s, v}, c), best, 0.002);
 }
 
 TEST(Correction, by_one_point_moves_the_nearest_sample_and_fills_a_gap_with_the_other)

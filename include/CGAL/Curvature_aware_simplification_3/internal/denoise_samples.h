@@ -6,6 +6,7 @@
 #ifndef CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_DENOISE_SAMPLES_H
 #define CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_DENOISE_SAMPLES_H
 
+#include <CGAL/Curvature_aware_simplification_3/internal/Fit_difference.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Progress.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Surface_sample.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/fits_of_all_sizes.h>
@@ -20,7 +21,7 @@ namespace Curvature_aware_simplification_3 {
 namespace internal {
 
 // The part w of the step to a wider fit that has the least expected error, from the mean square q
-// of such steps and the variance v that noise gives them.
+// of such steps and the variance v that noise gives them; their sums do as well.
 //
 // Of nested least-squares fits z_0, z_1, ... the differences are uncorrelated with the wider one,
 // and noise gives z_m+1 - z_m the variance v_m = var_m - var_m+1. What q_m has beyond that is
@@ -31,11 +32,11 @@ namespace internal {
 //   w_m = (v_m - b_m s_m) / (v_m + s_m^2);
 // with b_m = 0, this is a Wiener filter. With b_m = c s_m, where c is `missed_shape`, it is
 //   w_m = (1 + c) v_m / q_m - c.
-inline double part_of_step(double square, double variance, double missed_shape)
+inline double part_of_step(const Fit_difference& steps, double missed_shape)
 {
-  if (square <= variance) // all of it is noise
+  if (steps.square <= steps.expected) // all of it is noise
     return 1.;
-  return (std::max)((1. + missed_shape) * variance / square - missed_shape, 0.);
+  return (std::max)((1. + missed_shape) * steps.expected / steps.square - missed_shape, 0.);
 }
 
 // Moves each sample as far towards wider fits as noise explains that these differ:
@@ -47,8 +48,6 @@ void denoise_samples(std::vector<Surface_sample>& samples, const Surface_fit& fi
                      const Progress& progress)
 {
   constexpr std::size_t pool = 33; // squares: their mean is known to a fourth of itself
-  // an outlier among the differences has no more say than 50 others
-  constexpr double largest_square = 50.;
 
   std::vector<Fits_of_all_sizes> fits(samples.size());
   std::vector<Point> points(samples.size());
@@ -68,23 +67,19 @@ void denoise_samples(std::vector<Surface_sample>& samples, const Surface_fit& fi
                                  [&](std::size_t i)
                                  {
     const std::size_t steps = fits[i].widenings.size();
-    std::vector<double> square(steps, 0.), expected(steps, 0.);
+    std::vector<Fit_difference> differences(steps);
     search.for_each_nearest(points[i], pool,
                             [&](std::size_t j, const Point&, double)
                             {
       const std::vector<Widening>& other = fits[j].widenings;
       for (std::size_t m = 0; m < (std::min)(steps, other.size()); ++m)
-      {
-        square[m] +=
-            (std::min)(other[m].shift.squared_length(), largest_square * other[m].variance);
-        expected[m] += other[m].variance;
-      }
+        differences[m].add({other[m].shift.squared_length(), other[m].variance});
     });
     Point& result = samples[i].point;
     result = points[i];
     for (std::size_t m = 0; m < steps; ++m)
-      result = result + part_of_step(square[m], expected[m], fit.settings.missed_shape) *
-                            fits[i].widenings[m].shift;
+      result = result +
+               part_of_step(differences[m], fit.settings.missed_shape) * fits[i].widenings[m].shift;
   });
 }
 

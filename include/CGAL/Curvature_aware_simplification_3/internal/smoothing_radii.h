@@ -8,6 +8,7 @@
 
 #include <CGAL/Curvature_aware_simplification_3/internal/Adaptive_settings.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Curve_ranges.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/Fit_difference.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Neighborhood.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Noise_levels.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Noise_probes.h>
@@ -56,14 +57,7 @@ inline bool fit_smoothing_quadric(const Neighborhood& wide, const Point& center,
   return fit_quadric_over_plane(neighborhood, sigma, surface) && surface.error < sigma;
 }
 
-// By how much the heights of two fits around one place differ
-struct Fit_difference
-{
-  double square = 0.;   // of the difference
-  double expected = 0.; // of the square, if noise alone causes it; 0 if nothing is known
-};
-
-// Of quadrics in balls of radius r and sqrt(2) r around the foot point of x
+// Of the heights of quadrics in balls of radius r and sqrt(2) r around the foot point of x
 inline Fit_difference difference_of_fits(const Surface_fit& fit, const Point& x, double radius)
 {
   // Where balls hold far more points than smooth one, these are in a part of the ball that is no
@@ -104,18 +98,13 @@ inline Fit_difference difference_of_fits(const Surface_fit& fit, const Point& x,
 inline double factor_of_radius(const std::vector<Fit_difference>& differences,
                                const std::vector<std::size_t>& places)
 {
-  // as in denoise_samples.h: another sheet, or a part that no quadric fits, is one place of many
-  constexpr double largest_square = 50.;
-  double square = 0., expected = 0.;
+  Fit_difference sum;
   for (std::size_t i : places)
-  {
-    square += (std::min)(differences[i].square, largest_square * differences[i].expected);
-    expected += differences[i].expected;
-  }
-  if (!(expected > 0.))
+    sum.add(differences[i]);
+  if (!(sum.expected > 0.))
     return 1.;
-  const double least_shape = expected / 8.; // t = sqrt(2)
-  return std::pow(expected / (std::max)(square - expected, least_shape), 1. / 6.);
+  const double least_shape = sum.expected / 8.; // t = sqrt(2)
+  return std::pow(sum.expected / (std::max)(sum.square - sum.expected, least_shape), 1. / 6.);
 }
 
 // The radius of the narrower balls in which the shape is looked at. In less than 3 sigma, noise
