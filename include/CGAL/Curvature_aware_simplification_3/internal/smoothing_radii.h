@@ -57,7 +57,8 @@ inline bool fit_smoothing_quadric(const Neighborhood& wide, const Point& center,
   return fit_quadric_over_plane(neighborhood, sigma, surface) && surface.error < sigma;
 }
 
-// Of the heights of quadrics in balls of radius r and sqrt(2) r around the foot point of x
+// By how much the heights of quadrics in balls of radius r and sqrt(2) r around the foot point of x
+// differ
 inline Fit_difference difference_of_fits(const Surface_fit& fit, const Point& x, double radius)
 {
   // Where balls hold far more points than smooth one, these are in a part of the ball that is no
