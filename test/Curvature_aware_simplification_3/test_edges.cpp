@@ -291,6 +291,23 @@ TEST(Adaptive, looks_for_no_corners_where_samples_are_crowded)
   EXPECT_FALSE(corner(0.02));
 }
 
+TEST(Corner, is_left_to_the_nearest_sample)
+{
+  // also to one that comes to be near without being a neighbor; of two that are equally near, one
+  const Point corner(0., 0., 0.);
+  const std::vector<Point> points = {Point(0.3, 0., 0.), Point(0., 0.2, 0.), Point(1., 1., 0.),
+                                     Point(0.9, 1., 0.), Point(2., 2.1, 0.), Point(2., 2.1, 0.)};
+  const Target crowded{Point(1., 1.1, 0.), 1.}, twice{Point(2., 2., 0.), 1.};
+  std::vector<std::optional<Target>> targets = {
+      Target{corner, 0.3}, Target{corner, 0.2}, std::nullopt, crowded, twice, twice};
+  leave_to_nearest<Tag>(targets, points);
+  EXPECT_FALSE(targets[0]);
+  EXPECT_TRUE(targets[1] && targets[1]->point == corner);
+  EXPECT_FALSE(targets[2]);
+  EXPECT_FALSE(targets[3]) << "a sample without a target is nearer";
+  EXPECT_NE(targets[4].has_value(), targets[5].has_value());
+}
+
 // Seen from above, all points of a plane are to one side, and one that noise had carried there was
 // a corner.
 TEST(Corner, is_in_the_plane_of_its_neighbors)

@@ -6,6 +6,7 @@
 #ifndef CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_MOVE_TO_CORNERS_H
 #define CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_MOVE_TO_CORNERS_H
 
+#include <CGAL/Curvature_aware_simplification_3/internal/Neighbor_search.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Neighborhood.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Progress.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Sample_neighbors.h>
@@ -14,6 +15,7 @@
 #include <CGAL/Curvature_aware_simplification_3/internal/loops.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/move_to_targets.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <limits>
@@ -70,7 +72,7 @@ inline bool is_corner(const Neighborhood& neighborhood, const Vector& normal)
 }
 
 // The corner of an open surface next to a sample, if there is one: the last point of the input on
-// the way out of the samples, if it is a corner of the input and no other sample is nearer to it.
+// the way out of the samples, if it is a corner of the input
 template <typename Neighbors>
 std::optional<Target> nearest_corner(const Surface_sample& x, const Neighbors& neighbors,
                                      const std::vector<Point>& points, const Surface_fit& fit)
@@ -106,11 +108,28 @@ std::optional<Target> nearest_corner(const Surface_sample& x, const Neighbors& n
     return std::nullopt;
   const Point corner =
       fit_local_surface(fit, last, x.normal(), x.surface, rounds_to_stay, neighborhood).origin;
-  const double squared_way = squared_distance(x.point, corner);
-  for (std::size_t i : neighbors)
-    if (squared_distance(points[i], corner) < squared_way)
-      return std::nullopt;
-  return Target{corner, std::sqrt(squared_way) / x.spacing};
+  return Target{corner, std::sqrt(squared_distance(x.point, corner)) / x.spacing};
+}
+
+// Leaves a corner to the sample that is nearest to it. All samples are asked, since neighbors are
+// those of before the samples moved, and two that are none came to be in the same corner.
+template <typename ConcurrencyTag>
+void leave_to_nearest(std::vector<std::optional<Target>>& targets, const std::vector<Point>& points)
+{
+  if (std::none_of(targets.begin(), targets.end(), [](const auto& target) { return target; }))
+    return;
+  const Neighbor_search search(points, ConcurrencyTag());
+  for_each_index<ConcurrencyTag>(0, targets.size(),
+                                 [&](std::size_t i)
+                                 {
+    if (targets[i])
+      search.for_each_nearest(targets[i]->point, 1,
+                              [&](std::size_t nearest, const Point&, double)
+                              {
+        if (nearest != i)
+          targets[i].reset();
+      });
+  });
 }
 
 // Moves samples next to a corner of an open surface into it. They are pushed towards it, but stop
@@ -128,6 +147,7 @@ void move_to_corners(std::vector<Surface_sample>& samples, const Sample_neighbor
                                  [&](std::size_t i) {
     targets[i] = nearest_corner(samples[i], neighbors.of(i), points, fit.with(*samples[i].noise));
   });
+  leave_to_nearest<ConcurrencyTag>(targets, points);
   move_to_targets<ConcurrencyTag>(samples, targets, neighbors, one_for_each_corner);
 }
 
