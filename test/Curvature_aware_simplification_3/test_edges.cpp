@@ -4,6 +4,7 @@
 
 #include <CGAL/Curvature_aware_simplification_3/internal/Cloud.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Neighborhood.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/Uninitialized_vector.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/bent_points.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/features.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/fit_fold.h>
@@ -120,7 +121,8 @@ TEST(Fold, is_not_fitted_to_other_surfaces)
 TEST(Bent_points, are_those_that_noise_does_not_explain)
 {
   // r^2 = 16 / rho = 1; sigma = 0.1 explains kappa = 0.02
-  const Features features{{0.019, 0.021, 0.039, 0.041}, std::vector<double>(4, 1. / 16.), 16};
+  const Features features{
+      {0.019, 0.021, 0.039, 0.041}, Uninitialized_vector<double>(4, 1. / 16.), 16};
   EXPECT_EQ(bent_points<Tag>(features, uniform_noise(0., 4)),
             (std::vector<std::uint8_t>{0, 1, 1, 1}));
   EXPECT_EQ(bent_points<Tag>(features, uniform_noise(0.1, 4)),

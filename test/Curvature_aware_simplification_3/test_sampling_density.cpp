@@ -6,6 +6,7 @@
 #include <CGAL/Curvature_aware_simplification_3/internal/Curve_ranges.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Neighbor_search.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Scan.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/Uninitialized_vector.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/features.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/lattice_spacing.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/median.h>
@@ -110,7 +111,7 @@ TEST(Sampling_density, takes_the_mean_over_the_ball_by_area)
   // pieces on a line, at distances that differ so that it is clear which are nearest
   const std::vector<Point> places = {Point(0., 0., 0.), Point(1., 0., 0.),  Point(2.1, 0., 0.),
                                      Point(3., 0., 0.), Point(4.1, 0., 0.), Point(5., 0., 0.)};
-  std::vector<Surface_piece> pieces;
+  Uninitialized_vector<Surface_piece> pieces;
   for (const Point& p : places)
     pieces.push_back({p, {}, 1., p.x() == 4.1 ? 3. : 1.}); // the area is the last
   const auto balls_of = [&](const std::vector<Point>& centers, std::size_t number)
@@ -216,12 +217,13 @@ TEST(Sampling_density, follows_the_curvature)
 TEST(Surface_pieces, know_the_covariance_of_all_their_points)
 {
   const std::vector<Point> points = surfaces::ellipsoid(1000, 3., 95);
-  std::vector<double> inverse_density(points.size());
+  Uninitialized_vector<double> inverse_density(points.size());
   for (std::size_t i = 0; i < points.size(); ++i)
     inverse_density[i] = 0.01 * static_cast<double>(i % 7);
   for (std::size_t number : {1u, 37u, 1000u})
   {
-    const std::vector<Surface_piece> pieces = surface_pieces<Tag>(points, inverse_density, number);
+    const Uninitialized_vector<Surface_piece> pieces =
+        surface_pieces<Tag>(points, inverse_density, number);
     const Point x(0.1, 0.2, 0.3);
     const Surface_balls ball({x}, pieces, {number}, Progress(no_callback), Tag());
     const Deviation found = deviation_from_plane(pieces, ball.of(0), x, 0.);

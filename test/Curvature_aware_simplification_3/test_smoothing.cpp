@@ -4,6 +4,7 @@
 
 #include <CGAL/Curvature_aware_simplification_3/internal/Cloud.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Neighbor_search.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/Uninitialized_vector.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/features.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/smooth_points.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/smoothing_radii.h>
@@ -28,7 +29,7 @@ using namespace inputs;
 struct Smoothed
 {
   std::vector<Point> points;
-  std::vector<double> inverse_density;
+  Uninitialized_vector<double> inverse_density;
   std::vector<std::uint8_t> is_bent;
   double noise;
 };
@@ -52,7 +53,7 @@ Smoothed smoothed(const std::vector<Point>& points, double noise, std::size_t nu
                   const Adaptive_settings& settings = Adaptive_settings())
 {
   const Neighbor_search search(points, Tag());
-  Smoothed result{points, std::vector<double>(points.size()),
+  Smoothed result{points, Uninitialized_vector<double>(points.size()),
                   std::vector<std::uint8_t>(points.size()), 0.};
   for (std::size_t i = 0; i < points.size(); ++i)
   {
@@ -93,7 +94,7 @@ TEST(Smoothing, is_where_noise_is_visible)
   const std::vector<Point> points = with_noise(surfaces::square(30000, 74), 0.002, 75);
   const Neighbor_search search(points, Tag());
   std::vector<Point> result = points;
-  std::vector<double> inverse_density(points.size(), 1. / (CGAL_PI * 30000.));
+  Uninitialized_vector<double> inverse_density(points.size(), 1. / (CGAL_PI * 30000.));
   std::vector<std::uint8_t> is_bent(points.size(), 0);
   Noise_levels noise{{{0.001, 0.001}, {0.002, 0.002}, {0.0015, 0.0015}}, points.size()};
   noise.make_visible_above(0.00075);
@@ -225,7 +226,7 @@ TEST(Smoothing_radius, keeps_details)
     settings.smooth_by_shape = smooth_by_shape;
     set_smoothing_radii<Tag>(noise, cloud.points, search, far_samples, settings);
     std::vector<Point> smoothed = cloud.points;
-    std::vector<double> inverse_density(cloud.size(), 1. / (2. * CGAL_PI * 120000.));
+    Uninitialized_vector<double> inverse_density(cloud.size(), 1. / (2. * CGAL_PI * 120000.));
     std::vector<std::uint8_t> is_bent(cloud.size(), 0);
     smooth_points<Tag>(smoothed, inverse_density, is_bent, search, noise, 60000, settings,
                        Progress(no_callback));
@@ -245,7 +246,7 @@ TEST(Smoothing_radius, keeps_details)
 // 192 points are in a ball of 4 sigma, where 25 are enough.
 TEST(Thinning, keeps_a_neighborhood_in_each_ball_where_points_are_smoothed)
 {
-  const std::vector<double> inverse_density(30000, 0.04 * 0.04 / 48.);
+  const Uninitialized_vector<double> inverse_density(30000, 0.04 * 0.04 / 48.);
   Noise_levels noise({{0.01, 0.01}, {0.02, 0.02}, {0.02, 0.02}}, 30000);
   noise.make_visible_above(0.0075); // half of 0.02, not half of 0.01
   smooth_as_usual(noise);
@@ -263,7 +264,7 @@ TEST(Thinning, keeps_a_neighborhood_in_each_ball_where_points_are_smoothed)
 
 TEST(Thinning, keeps_two_points_for_each_sample)
 {
-  const std::vector<double> inverse_density(30000, 1e-9);
+  const Uninitialized_vector<double> inverse_density(30000, 1e-9);
   Noise_levels noise({{0., 0.}, {1., 1.}, {1., 1.}}, 30000);
   noise.make_visible_above(0.1);
   smooth_as_usual(noise);
@@ -278,7 +279,7 @@ TEST(Thinning, keeps_two_points_for_each_sample)
 
 TEST(Thinning, keeps_enough_to_fit_surfaces_to)
 {
-  const std::vector<double> inverse_density(1280, 1e-9);
+  const Uninitialized_vector<double> inverse_density(1280, 1e-9);
   Noise_levels noise = uniform_noise(1., inverse_density.size());
   noise.make_visible_above(0.1);
   smooth_as_usual(noise);
@@ -288,7 +289,7 @@ TEST(Thinning, keeps_enough_to_fit_surfaces_to)
 
 TEST(Thinning, leaves_a_sparse_place_beside_a_dense_one)
 {
-  std::vector<double> inverse_density(4095, 1e-6); // 16 ranges
+  Uninitialized_vector<double> inverse_density(4095, 1e-6); // 16 ranges
   for (std::size_t i = 2000; i < 2030; ++i)
     inverse_density[i] = 1e-2;
   Noise_levels noise = uniform_noise(0.02, inverse_density.size());

@@ -37,10 +37,11 @@ namespace internal {
 struct Cloud
 {
   Frame frame;
-  std::vector<Point> points;            // distinct, in the frame
-  std::vector<std::size_t> input_index; // of each distinct point: its first position in the input
-  std::vector<Duplicate> duplicates;    // all other points of the input
-  double coordinate_error;              // of the points, from rounding in the input
+  std::vector<Point> points; // distinct, in the frame
+  // of each distinct point: its first position in the input
+  Uninitialized_vector<std::size_t> input_index;
+  std::vector<Duplicate> duplicates; // all other points of the input
+  double coordinate_error;           // of the points, from rounding in the input
 
   std::size_t size() const { return points.size(); }
   std::size_t input_size() const { return points.size() + duplicates.size(); }
@@ -145,7 +146,7 @@ Cloud make_cloud(std::vector<Point> coordinates, double relative_error)
   Hilbert_sort_median_3<Sort_traits, ConcurrencyTag>{Sort_traits()}(sorted.begin(), sorted.end());
 
   std::vector<Point> points(sorted.size());
-  std::vector<std::size_t> input_index(sorted.size());
+  Uninitialized_vector<std::size_t> input_index(sorted.size());
   for_each_index<ConcurrencyTag>(0, sorted.size(),
                                  [&](std::size_t i)
                                  {

@@ -10,6 +10,7 @@
 #include <CGAL/Curvature_aware_simplification_3/internal/Cloud.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Covariance_sums.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Neighbor_search.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/Uninitialized_vector.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/loops.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/mutual_neighbors.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/prefix_sums.h>
@@ -247,7 +248,8 @@ private:
   bool m_are_outliers_dense;
   Sparseness m_sparseness;
   const Adaptive_settings& m_settings;
-  std::vector<std::atomic<std::uint32_t>> m_votes; // sums of integers: the order does not matter
+  // sums of integers: the order does not matter
+  Uninitialized_vector<std::atomic<std::uint32_t>> m_votes;
   std::vector<std::uint8_t> m_is_in_layer;
   std::vector<std::uint8_t>& m_is_outlier;
 };

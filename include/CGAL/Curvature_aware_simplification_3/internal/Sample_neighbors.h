@@ -7,6 +7,7 @@
 #define CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_SAMPLE_NEIGHBORS_H
 
 #include <CGAL/Curvature_aware_simplification_3/internal/Neighbor_search.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/Uninitialized_vector.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/loops.h>
 
 #include <CGAL/Iterator_range.h>
@@ -36,7 +37,8 @@ public:
   template <typename ConcurrencyTag>
   void search(const std::vector<Point>& samples, std::size_t number, const ConcurrencyTag& tag)
   {
-    m_indices = std::vector<std::size_t>(); // not at the same time as the tree and the new ones
+    // not at the same time as the tree and the new ones
+    m_indices = Uninitialized_vector<std::size_t>();
     const Neighbor_search neighbor_search(samples, tag);
     const std::size_t n = samples.size();
     m_number = (std::min)({number, most, n - 1});
@@ -92,7 +94,7 @@ private:
   using Neighbor = std::pair<double, std::size_t>;
 
   std::size_t m_number = 0; // for each sample
-  std::vector<std::size_t> m_indices;
+  Uninitialized_vector<std::size_t> m_indices;
 };
 
 } // namespace internal

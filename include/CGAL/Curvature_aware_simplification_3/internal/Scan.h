@@ -8,6 +8,7 @@
 
 #include <CGAL/Curvature_aware_simplification_3/internal/Neighbor_search.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Noise_levels.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/Uninitialized_vector.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/lattice_spacing.h>
 
 #include <cstddef>
@@ -24,11 +25,11 @@ struct Scan
 {
   std::vector<Point> points; // along the Hilbert curve
   std::unique_ptr<Neighbor_search> search;
-  std::vector<double> inverse_density; // 1 / rho of each point
-  Noise_levels noise;                  // that is left
-  double coordinate_error;             // of the points, from rounding in the input
-  double area;                         // of the surface
-  std::vector<Point> bent_points;      // at which there may be an edge
+  Uninitialized_vector<double> inverse_density; // 1 / rho of each point
+  Noise_levels noise;                           // that is left
+  double coordinate_error;                      // of the points, from rounding in the input
+  double area;                                  // of the surface
+  std::vector<Point> bent_points;               // at which there may be an edge
   // Where there were, some were not found, and the point nearest to a sample may be one.
   bool had_more_than_a_few_outliers;
 

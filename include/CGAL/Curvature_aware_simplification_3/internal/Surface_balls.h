@@ -29,7 +29,8 @@ class Surface_balls
 public:
   // O(n log n + sum of the numbers wanted, times log n), with n centers of pieces
   template <typename ConcurrencyTag>
-  Surface_balls(const std::vector<Point>& centers, const std::vector<Surface_piece>& pieces,
+  Surface_balls(const std::vector<Point>& centers,
+                const Uninitialized_vector<Surface_piece>& pieces,
                 const std::vector<std::size_t>& number_wanted, const Progress& progress,
                 const ConcurrencyTag& tag)
     : m_first(centers.size() + 1, 0)

@@ -15,6 +15,7 @@
 #include <CGAL/Curvature_aware_simplification_3/internal/Scan.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Stopwatch.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Surface_fit.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/Uninitialized_vector.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/bent_points.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/features.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/find_outliers.h>
@@ -93,7 +94,8 @@ Scan clean_scan(Cloud cloud, std::unique_ptr<Neighbor_search> search, const Para
   report.maximum_surface_variation = largest_surface_variation<ConcurrencyTag>(shared.features);
   report.features_time = stopwatch.lap();
 
-  cloud.input_index = std::vector<std::size_t>(); // where points come from is not asked any more
+  // where points come from is not asked any more
+  cloud.input_index = Uninitialized_vector<std::size_t>();
   cloud.duplicates = std::vector<Duplicate>();
   std::size_t outliers_found = 0;
   if (settings.find_outliers)

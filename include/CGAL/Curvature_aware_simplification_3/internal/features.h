@@ -10,6 +10,7 @@
 #include <CGAL/Curvature_aware_simplification_3/internal/Covariance_sums.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Neighbor_search.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Progress.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/Uninitialized_vector.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/loops.h>
 
 #include <algorithm>
@@ -25,9 +26,11 @@ namespace internal {
 // What the selection and the weights know of a point (paper, sec. 4.1, step 1)
 struct Features
 {
-  std::vector<double> surface_variation; // kappa, in [0, 1/3]: the curvature of the paper
-  std::vector<double> inverse_density;   // 1 / rho = r^2 / k, r the distance to the k-th neighbor
-  std::size_t number_of_neighbors = 0;   // k, of all
+  // kappa, in [0, 1/3]: the curvature of the paper
+  Uninitialized_vector<double> surface_variation;
+  // 1 / rho = r^2 / k, r the distance to the k-th neighbor
+  Uninitialized_vector<double> inverse_density;
+  std::size_t number_of_neighbors = 0; // k, of all
 };
 
 // r^2 of point i, with its k-th neighbor inside: 1/rho is rounded
@@ -114,7 +117,7 @@ Features compute_features(const Cloud& cloud, const Neighbor_search& search,
 {
   const std::size_t n = cloud.size();
   const std::size_t size = neighborhood_size(number_of_neighbors, n);
-  Features features{std::vector<double>(n), std::vector<double>(n), size - 1};
+  Features features{Uninitialized_vector<double>(n), Uninitialized_vector<double>(n), size - 1};
   for_each_index<ConcurrencyTag>(n, progress,
                                  [&](std::size_t i)
                                  {
@@ -128,12 +131,12 @@ Features compute_features(const Cloud& cloud, const Neighbor_search& search,
 
 // 1 / rho alone. O(n (log n + k))
 template <typename ConcurrencyTag>
-std::vector<double> inverse_densities(const std::vector<Point>& points,
-                                      const Neighbor_search& search,
-                                      std::size_t number_of_neighbors, const Progress& progress)
+Uninitialized_vector<double>
+inverse_densities(const std::vector<Point>& points, const Neighbor_search& search,
+                  std::size_t number_of_neighbors, const Progress& progress)
 {
   const std::size_t size = neighborhood_size(number_of_neighbors, points.size());
-  std::vector<double> result(points.size());
+  Uninitialized_vector<double> result(points.size());
   for_each_index<ConcurrencyTag>(points.size(), progress,
                                  [&](std::size_t i)
                                  {

@@ -120,8 +120,7 @@ std::vector<std::uint8_t> find_outliers(const Cloud& cloud, const Neighbor_searc
   if (settings.find_clusters)
   {
     const std::vector<std::size_t> found =
-        Isolated_clusters(cloud, search, shared.features, k, sparseness.of_outliers, is_outlier,
-                          tag)
+        Isolated_clusters(cloud, search, shared.features, k, sparseness.of_outliers, is_outlier)
             .points<ConcurrencyTag>();
     votes.mark(found, tag);
   }

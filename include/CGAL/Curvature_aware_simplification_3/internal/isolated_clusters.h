@@ -37,21 +37,15 @@ class Isolated_clusters
 public:
   // Points with more than `sparse` 1/rho are so far from others that their neighborhoods may be of
   // several parts.
-  template <typename ConcurrencyTag>
   Isolated_clusters(const Cloud& cloud, const Neighbor_search& search, const Features& features,
-                    std::size_t k, double sparse, const std::vector<std::uint8_t>& is_outlier,
-                    const ConcurrencyTag&)
+                    std::size_t k, double sparse, const std::vector<std::uint8_t>& is_outlier)
     : m_cloud(cloud),
       m_search(search),
       m_features(features),
       m_k(k),
       m_sparse(sparse),
-      m_is_outlier(is_outlier),
-      m_squared_reach(cloud.size())
-  {
-    for_each_index<ConcurrencyTag>(0, cloud.size(),
-                                   [&](std::size_t i) { m_squared_reach[i] = squared_reach(i); });
-  }
+      m_is_outlier(is_outlier)
+  {}
 
   // All their points. Components are searched from the places where the Hilbert curve jumps between
   // points that are not flat; up to 8 k points of each are visited, which takes O(k + log n) each.
@@ -125,8 +119,8 @@ private:
   // nearest of each other as well.
   bool is_within_reach(std::size_t i, std::size_t j) const
   {
-    return squared_distance(m_cloud.points[i], m_cloud.points[j]) <=
-           (std::max)(m_squared_reach[i], m_squared_reach[j]);
+    const double distance = squared_distance(m_cloud.points[i], m_cloud.points[j]);
+    return distance <= squared_reach(i) || distance <= squared_reach(j);
   }
 
   // The component of point `first` in the graph of linked points; none if it has a point before
@@ -217,7 +211,6 @@ private:
   std::size_t m_k;
   double m_sparse;
   const std::vector<std::uint8_t>& m_is_outlier;
-  std::vector<double> m_squared_reach; // of each point
 };
 
 } // namespace internal

@@ -6,6 +6,7 @@
 #ifndef CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_LATTICE_SPACING_H
 #define CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_LATTICE_SPACING_H
 
+#include <CGAL/Curvature_aware_simplification_3/internal/Uninitialized_vector.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/loops.h>
 
 #include <CGAL/number_type_config.h>
@@ -27,7 +28,7 @@ inline double lattice_spacing(double density)
 
 // The sum of the areas that the points stand for
 template <typename ConcurrencyTag>
-double area_of_surface(const std::vector<double>& inverse_density)
+double area_of_surface(const Uninitialized_vector<double>& inverse_density)
 {
   return reduce_indices<ConcurrencyTag>(
       inverse_density.size(), 0., [&](std::size_t i) { return CGAL_PI * inverse_density[i]; },

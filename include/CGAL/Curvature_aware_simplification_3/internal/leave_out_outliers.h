@@ -10,6 +10,7 @@
 #include <CGAL/Curvature_aware_simplification_3/internal/Cloud.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Neighbor_search.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Progress.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/Uninitialized_vector.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/features.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/find_outliers.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/prefix_sums.h>
@@ -18,6 +19,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <utility>
 #include <vector>
@@ -38,14 +40,17 @@ std::size_t leave_out_outliers(Cloud& cloud, std::unique_ptr<Neighbor_search>& s
   const std::size_t n = cloud.size();
   std::vector<std::uint8_t> is_outlier =
       find_outliers<ConcurrencyTag>(cloud, *search, shared, k, settings, progress.part(0., 0.8));
-  shared.votes = std::vector<std::uint32_t>();
+  shared.votes = Uninitialized_vector<std::uint32_t>();
   shared.represented = std::vector<std::uint8_t>();
+  const std::size_t number_found = reduce_indices<ConcurrencyTag>(
+      n, std::size_t(0), [&](std::size_t i) { return std::size_t(is_outlier[i]); },
+      std::plus<std::size_t>());
+  // What most points are is no outlier, and each sample needs a point to start from.
+  if (number_found == 0 || n - number_found < (std::max)(number_of_samples, (n + 1) / 2))
+    return number_found;
+
   std::vector<std::size_t> kept =
       indices_where<ConcurrencyTag>(n, [&](std::size_t i) { return is_outlier[i] == 0; });
-  const std::size_t number_found = n - kept.size();
-  // What most points are is no outlier, and each sample needs a point to start from.
-  if (number_found == 0 || kept.size() < (std::max)(number_of_samples, (n + 1) / 2))
-    return number_found;
 
   // To hide outliers saves a tree, an eighth of a call; but each search that meets one is done
   // again. Among 25 neighbors, one of a thousand is rarely met. With noise, when 3 % may be taken

@@ -7,6 +7,7 @@
 #define CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_MEAN_OVER_BALLS_H
 
 #include <CGAL/Curvature_aware_simplification_3/internal/Surface_balls.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/Uninitialized_vector.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/loops.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/surface_pieces.h>
 
@@ -23,7 +24,7 @@ namespace internal {
 // is a step along the surface becomes a slope.
 template <typename ConcurrencyTag>
 std::vector<double> mean_over_balls(const std::vector<double>& value, double p,
-                                    const std::vector<Surface_piece>& pieces,
+                                    const Uninitialized_vector<Surface_piece>& pieces,
                                     std::size_t pieces_in_range, const Surface_balls& balls)
 {
   const std::size_t n = value.size();

@@ -56,8 +56,8 @@ std::vector<T> elements_at(const std::vector<std::size_t>& indices, const std::v
 
 // Keeps the elements at some indices, which are in order, in the memory that they have: a part at a
 // time, which is read as a whole before it is written, over elements that no later part reads
-template <typename ConcurrencyTag, typename T>
-void keep_elements(const std::vector<std::size_t>& indices, std::vector<T>& elements)
+template <typename ConcurrencyTag, typename T, typename Allocator>
+void keep_elements(const std::vector<std::size_t>& indices, std::vector<T, Allocator>& elements)
 {
   constexpr std::size_t size_of_part = 64 * block_size; // enough for many threads to share
   std::vector<T> part((std::min)(size_of_part, indices.size()));

@@ -106,6 +106,7 @@ double repel_samples(std::vector<Surface_sample>& samples, Sample_positions& pos
                      const Adaptive_settings& settings, const Progress& progress, const Move& move)
 {
   std::vector<double> moved(samples.size());
+  std::vector<Point> places; // of the samples of a turn: they move all at once
   // Samples that are neighbors on the Hilbert curve have different turns.
   const std::size_t turns = (std::min)(settings.turns, samples.size());
   for (std::size_t turn = 0; turn < turns; ++turn)
@@ -114,6 +115,7 @@ double repel_samples(std::vector<Surface_sample>& samples, Sample_positions& pos
     const Progress turn_progress =
         progress.part(static_cast<double>(turn) / static_cast<double>(turns),
                       static_cast<double>(turn + 1) / static_cast<double>(turns));
+    places.resize(number);
     for_each_index<ConcurrencyTag>(number, turn_progress,
                                    [&](std::size_t n)
                                    {
@@ -122,13 +124,10 @@ double repel_samples(std::vector<Surface_sample>& samples, Sample_positions& pos
       move(x, weight * tangential_repulsion(x, neighbors.of(i), positions.points,
                                             positions.squared_spacings, settings));
       moved[i] = std::sqrt(squared_distance(x.point, positions.points[i])) / x.spacing;
+      places[n] = x.point;
     });
-    for_each_index<ConcurrencyTag>(0, number,
-                                   [&](std::size_t n)
-                                   {
-      const std::size_t i = turn + n * turns;
-      positions.points[i] = samples[i].point;
-    });
+    for_each_index<ConcurrencyTag>(
+        0, number, [&](std::size_t n) { positions.points[turn + n * turns] = places[n]; });
   }
   return mean<ConcurrencyTag>(moved.size(), [&](std::size_t i) { return moved[i]; });
 }

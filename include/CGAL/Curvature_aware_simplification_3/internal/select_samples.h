@@ -12,6 +12,7 @@
 #include <CGAL/Curvature_aware_simplification_3/internal/Scan.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Surface_fit.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Surface_sample.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/Uninitialized_vector.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/fit_to_neighbors.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/lattice_spacing.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/loops.h>
@@ -42,7 +43,7 @@ std::vector<Surface_sample> select_samples(Scan& scan, const Parameters& paramet
       wanted.ranges, wanted.weight, number_of_samples, parameters.random_seed);
   const std::vector<Point> selected_points = elements_at<ConcurrencyTag>(selected, scan.points);
   scan.points = std::vector<Point>();
-  scan.inverse_density = std::vector<double>();
+  scan.inverse_density = Uninitialized_vector<double>();
   std::vector<Surface_sample> samples(number_of_samples);
   for_each_index<ConcurrencyTag>(0, number_of_samples,
                                  [&](std::size_t i)

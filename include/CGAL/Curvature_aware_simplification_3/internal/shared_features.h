@@ -8,6 +8,7 @@
 
 #include <CGAL/Curvature_aware_simplification_3/internal/Cloud.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Neighbor_search.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/Uninitialized_vector.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/features.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/loops.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/thick_and_sparse.h>
@@ -34,7 +35,7 @@ struct Shared_features
   std::vector<std::uint8_t> represented;
   // How many points have this one among their k nearest, the point itself not counted: a voter
   // counts once for each point that it represents. k on average.
-  std::vector<std::uint32_t> votes;
+  Uninitialized_vector<std::uint32_t> votes;
 };
 
 // O(n (log n + k)), but k-nearest-neighbor queries for a quarter of the points only, where these
@@ -60,9 +61,10 @@ Shared_features compute_shared_features(const Cloud& cloud, const Neighbor_searc
 
   const std::size_t n = cloud.size();
   const std::size_t size = neighborhood_size(number_of_neighbors, n);
-  Shared_features shared{{std::vector<double>(n), std::vector<double>(n), size - 1},
-                         std::vector<std::uint8_t>(n, 0),
-                         std::vector<std::uint32_t>(n)};
+  Shared_features shared{
+      {Uninitialized_vector<double>(n), Uninitialized_vector<double>(n), size - 1},
+      std::vector<std::uint8_t>(n, 0),
+      Uninitialized_vector<std::uint32_t>(n)};
   std::vector<std::uint8_t>& represented = shared.represented;
   const auto assign = [&](std::size_t i, const Local_features& local)
   {
@@ -71,7 +73,10 @@ Shared_features compute_shared_features(const Cloud& cloud, const Neighbor_searc
   };
 
   std::vector<std::uint8_t> is_done(n, 0);
-  std::vector<std::atomic<std::uint32_t>> votes(n); // sums of integers: the order does not matter
+  // sums of integers: the order does not matter
+  Uninitialized_vector<std::atomic<std::uint32_t>> votes(n);
+  for_each_index<ConcurrencyTag>(
+      0, n, [&](std::size_t i) { votes[i].store(0, std::memory_order_relaxed); });
   for_each_index<ConcurrencyTag>((n + sharing_block - 1) / sharing_block, progress,
                                  [&](std::size_t block)
                                  {

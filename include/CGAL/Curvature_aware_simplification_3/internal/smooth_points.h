@@ -9,6 +9,7 @@
 #include <CGAL/Curvature_aware_simplification_3/internal/Noise_levels.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Progress.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Surface_fit.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/Uninitialized_vector.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/fit_quadric.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/loops.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/prefix_sums.h>
@@ -125,7 +126,8 @@ Noise_levels noise_left(const Noise_levels& noise, const std::vector<std::size_t
 // can be narrower: in balls of 7 sigma, shape is lost. Thins points that are dense against the
 // noise. Returns what is left of it.
 template <typename ConcurrencyTag>
-Noise_levels smooth_points(std::vector<Point>& points, const std::vector<double>& inverse_density,
+Noise_levels smooth_points(std::vector<Point>& points,
+                           const Uninitialized_vector<double>& inverse_density,
                            std::vector<std::uint8_t>& is_bent, const Neighbor_search& search,
                            const Noise_levels& noise, std::size_t number_of_samples,
                            const Adaptive_settings& settings, const Progress& progress)

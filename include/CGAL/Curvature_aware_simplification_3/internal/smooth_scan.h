@@ -10,6 +10,7 @@
 #include <CGAL/Curvature_aware_simplification_3/internal/Neighbor_search.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Progress.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Scan.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/Uninitialized_vector.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/features.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/lattice_spacing.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/smooth_points.h>
@@ -35,7 +36,7 @@ void smooth_scan(Scan& scan, std::vector<std::uint8_t>& is_bent, std::size_t num
   scan.noise = smooth_points<ConcurrencyTag>(scan.points, scan.inverse_density, is_bent,
                                              *scan.search, scan.noise, number_of_samples, settings,
                                              progress.part(0., 0.8));
-  scan.inverse_density = std::vector<double>(); // of the points as they were
+  scan.inverse_density = Uninitialized_vector<double>(); // of the points as they were
   scan.search.reset(); // two trees at once would take the most memory of the call
   scan.search = std::make_unique<Neighbor_search>(scan.points, ConcurrencyTag());
   progress.report(0.84);

@@ -12,6 +12,7 @@
 #include <CGAL/Curvature_aware_simplification_3/internal/Progress.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Scan.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Surface_balls.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/Uninitialized_vector.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/loops.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/mean_over_balls.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/surface_pieces.h>
@@ -113,7 +114,7 @@ Surface_curvature surface_curvature(const Scan& scan, std::size_t number_of_samp
   const std::size_t n = scan.points.size();
   const Curve_ranges ranges{(std::min)({n, number_of_samples, Curve_ranges::most / 2}), n};
   const std::size_t pieces_in_range = n / ranges.number < 4 ? 1 : 2;
-  const std::vector<Surface_piece> pieces = surface_pieces<ConcurrencyTag>(
+  const Uninitialized_vector<Surface_piece> pieces = surface_pieces<ConcurrencyTag>(
       scan.points, scan.inverse_density, pieces_in_range * ranges.number);
 
   const double radius = settings.curvature_radius * scan.spacing_of(number_of_samples);

@@ -9,6 +9,7 @@
 #include <CGAL/Curvature_aware_simplification_3/internal/Computation_kernel.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Covariance_sums.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Curve_ranges.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/Uninitialized_vector.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/features.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/loops.h>
 
@@ -37,11 +38,11 @@ struct Surface_piece
 
 // O(n)
 template <typename ConcurrencyTag>
-std::vector<Surface_piece> surface_pieces(const std::vector<Point>& points,
-                                          const std::vector<double>& inverse_density,
-                                          std::size_t number_of_pieces)
+Uninitialized_vector<Surface_piece>
+surface_pieces(const std::vector<Point>& points,
+               const Uninitialized_vector<double>& inverse_density, std::size_t number_of_pieces)
 {
-  std::vector<Surface_piece> pieces(number_of_pieces);
+  Uninitialized_vector<Surface_piece> pieces(number_of_pieces);
   const Curve_ranges ranges{number_of_pieces, points.size()};
   for_each_index<ConcurrencyTag>(0, number_of_pieces,
                                  [&](std::size_t i)
@@ -60,7 +61,7 @@ std::vector<Surface_piece> surface_pieces(const std::vector<Point>& points,
 }
 
 template <typename ConcurrencyTag>
-std::vector<Point> centers_of(const std::vector<Surface_piece>& pieces)
+std::vector<Point> centers_of(const Uninitialized_vector<Surface_piece>& pieces)
 {
   std::vector<Point> centers(pieces.size());
   for_each_index<ConcurrencyTag>(0, pieces.size(),
@@ -84,7 +85,7 @@ struct Deviation
 // solver is the iterative one; the closed formula is off by the root of the precision for points on
 // a line.
 template <typename Ball>
-Deviation deviation_from_plane(const std::vector<Surface_piece>& pieces, const Ball& ball,
+Deviation deviation_from_plane(const Uninitialized_vector<Surface_piece>& pieces, const Ball& ball,
                                const Point& x, double coordinate_error)
 {
   Covariance_sums centers;

@@ -6,6 +6,7 @@
 #ifndef CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_THICK_AND_SPARSE_H
 #define CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_THICK_AND_SPARSE_H
 
+#include <CGAL/Curvature_aware_simplification_3/internal/Uninitialized_vector.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/features.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/median_of_some.h>
 
@@ -47,7 +48,7 @@ struct Sparseness
   double of_sparse_parts; // twice: most of them are on sparse parts of a surface
 };
 
-inline Sparseness sparseness_of(const std::vector<double>& inverse_density)
+inline Sparseness sparseness_of(const Uninitialized_vector<double>& inverse_density)
 {
   const double median = median_of_some<Sequential_tag>(
       inverse_density.size(), 10000, [&](std::size_t i) { return inverse_density[i]; });
