@@ -166,6 +166,14 @@ template <typename Range, typename Map>
 std::vector<Point> read_coordinates(const Range&, const Map&);
 template <typename Concurrency, typename Range, typename Parameters>
 void read_cloud(const Range&, const Parameters&);
+template <typename Parameters>
+int read_parameters(const Parameters&, std::size_t);
+template <typename Parameters>
+int read_parameters_of_selection(const Parameters&, std::size_t);
+template <typename Parameters>
+int read_callback(const Parameters&);
+template <typename Parameters, typename Name>
+int number(const Parameters&, const Name&, double);
 template <typename Concurrency, typename Range, typename Output, typename Parameters,
           typename Settings>
 void simplify_point_set(const Range&, Output, const Parameters&, const Settings&);

@@ -86,7 +86,8 @@ inline void check_that_all_are_measurements(const std::vector<Point>& points, co
     const Point& p = points[random.bits(i) % points.size()];
     if (share_within(some, p, equal * half) < share_of_some)
       continue;
-    if (share_within(points, p, too_small * half) >= share)
+    if (share_within(some, p, too_small * half) >= share_of_some &&
+        share_within(points, p, too_small * half) >= share)
       throw_point_too_far(points, p, "1e140");
     if (is_its_center_the_origin && share_within(points, p, equal * half) >= share_for_a_surface)
       throw_point_too_far(points, p, "1e15");

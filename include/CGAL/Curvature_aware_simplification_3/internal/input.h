@@ -95,8 +95,9 @@ std::vector<Point> read_coordinates(const PointRange& points, const PointMap& po
   for (const auto& element : points)
   {
     const auto& p = get(point_map, element);
-    coordinates.emplace_back(coordinate_as_double(p.x()), coordinate_as_double(p.y()),
-                             coordinate_as_double(p.z()));
+    coordinates.emplace_back(internal::coordinate_as_double(p.x()),
+                             internal::coordinate_as_double(p.y()),
+                             internal::coordinate_as_double(p.z()));
     const Point& q = coordinates.back();
     if (!(std::isfinite(q.x()) && std::isfinite(q.y()) && std::isfinite(q.z())))
       throw std::invalid_argument("points: the point at index " +

@@ -139,7 +139,7 @@ Parameters read_parameters_of_selection(const NamedParameters& np, std::size_t n
 
   if (is_default_parameter<NamedParameters, internal_np::number_of_output_points_t>::value)
   {
-    const double percentage = number(np, internal_np::select_percentage, 5.);
+    const double percentage = internal::number(np, internal_np::select_percentage, 5.);
     checked("select_percentage", percentage, percentage > 0. && percentage <= 100.,
             "above 0 and at most 100");
     result.number_of_output_points = percentage_of(percentage, number_of_points);
@@ -156,12 +156,12 @@ Parameters read_parameters_of_selection(const NamedParameters& np, std::size_t n
                     choose_parameter(get_parameter(np, internal_np::number_of_neighbors), 16), 2,
                     largest_count, count_from(2));
 
-  const double curvature_weight = number(np, internal_np::curvature_weight, 0.75);
+  const double curvature_weight = internal::number(np, internal_np::curvature_weight, 0.75);
   result.curvature_weight =
       checked("curvature_weight", curvature_weight,
               curvature_weight >= 0. && curvature_weight <= 1., "from 0 to 1");
 
-  const double adaptivity = number(np, internal_np::adaptivity, 2. / 3.);
+  const double adaptivity = internal::number(np, internal_np::adaptivity, 2. / 3.);
   result.adaptivity =
       checked("adaptivity", adaptivity, adaptivity >= 0. && adaptivity <= 1., "from 0 to 1");
 
@@ -170,7 +170,7 @@ Parameters read_parameters_of_selection(const NamedParameters& np, std::size_t n
                 "random_seed must be an integer");
   result.random_seed = static_cast<std::uint64_t>(seed);
 
-  result.callback = read_callback(np);
+  result.callback = internal::read_callback(np);
   return result;
 }
 
@@ -181,22 +181,22 @@ Parameters read_parameters(const NamedParameters& np, std::size_t number_of_poin
   using parameters::get_parameter;
   using parameters::is_default_parameter;
 
-  Parameters result = read_parameters_of_selection(np, number_of_points);
+  Parameters result = internal::read_parameters_of_selection(np, number_of_points);
 
   result.number_of_iterations =
       checked_count("number_of_iterations",
                     choose_parameter(get_parameter(np, internal_np::number_of_iterations), 10), 0,
                     largest_count, count_from(0));
 
-  const double d = number(np, internal_np::curvature_dependence, 2.);
+  const double d = internal::number(np, internal_np::curvature_dependence, 2.);
   result.curvature_dependence =
       checked("curvature_dependence", d, d >= 0. && std::isfinite(d), "at least 0 and finite");
 
-  const double mu = number(np, internal_np::repulsion_weight, 0.45);
+  const double mu = internal::number(np, internal_np::repulsion_weight, 0.45);
   result.repulsion_weight =
       checked("repulsion_weight", mu, mu >= 0. && mu < 0.5, "at least 0 and below 0.5");
 
-  const double h = number(np, internal_np::neighbor_radius, 0.);
+  const double h = internal::number(np, internal_np::neighbor_radius, 0.);
   const bool is_derived =
       is_default_parameter<NamedParameters, internal_np::neighbor_radius_t>::value;
   result.neighbor_radius = checked("neighbor_radius", h, is_derived || (h > 0. && std::isfinite(h)),

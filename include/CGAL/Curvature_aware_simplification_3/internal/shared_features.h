@@ -80,7 +80,7 @@ Shared_features compute_shared_features(const Cloud& cloud, const Neighbor_searc
   for_each_index<ConcurrencyTag>((n + sharing_block - 1) / sharing_block, progress,
                                  [&](std::size_t block)
                                  {
-    static thread_local std::vector<Neighbor> neighbors;
+    std::vector<Neighbor> neighbors;
     const std::size_t begin = block * sharing_block, end = (std::min)(n, begin + sharing_block);
     for (std::size_t i = begin; i < end; ++i)
     {

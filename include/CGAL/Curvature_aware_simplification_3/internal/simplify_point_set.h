@@ -50,7 +50,7 @@ OutputIterator simplify_point_set(const PointRange& points, OutputIterator outpu
   static_assert(std::is_convertible<Given_report, Curvature_aware_simplification_report&>::value,
                 "simplification_report must be a reference: std::ref(report)");
 
-  const Parameters parameters = read_parameters(np, internal::number_of_elements(points));
+  const Parameters parameters = internal::read_parameters(np, internal::number_of_elements(points));
   const Progress progress(parameters.callback);
   Curvature_aware_simplification_report report;
   Stopwatch stopwatch;
