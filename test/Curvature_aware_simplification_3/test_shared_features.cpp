@@ -29,6 +29,7 @@ TEST(Shared_features, are_those_of_a_point_in_whose_inner_half_one_is)
   const Neighbor_search search(cloud.points, Tag());
   const Shared_features shared = shared_features_of(cloud, search);
   std::size_t number_of_votes = 0, number_represented = 0, representatives = 0;
+  std::size_t votes_for_representatives = 0;
   for (std::size_t i = 0; i < cloud.size(); ++i)
   {
     number_of_votes += shared.votes[i];
@@ -37,6 +38,7 @@ TEST(Shared_features, are_those_of_a_point_in_whose_inner_half_one_is)
     if (shared.represented[i] > 0)
     {
       ++representatives;
+      votes_for_representatives += shared.votes[i];
       EXPECT_EQ(shared.features.surface_variation[i], own.surface_variation);
       EXPECT_EQ(shared.features.inverse_density[i], own.inverse_density);
       continue;
@@ -57,6 +59,9 @@ TEST(Shared_features, are_those_of_a_point_in_whose_inner_half_one_is)
   }
   EXPECT_EQ(number_represented, cloud.size());
   EXPECT_EQ(number_of_votes, 16 * cloud.size());
+  // as all points; those that they cast for others are no votes of their own
+  EXPECT_NEAR(static_cast<double>(votes_for_representatives) / static_cast<double>(representatives),
+              16., 0.5);
   EXPECT_LT(representatives, cloud.size() / 3);
 }
 

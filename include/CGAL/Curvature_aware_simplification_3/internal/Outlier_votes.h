@@ -79,7 +79,7 @@ public:
   {
     for_each_index<ConcurrencyTag>(0, cloud.size(),
                                    [&](std::size_t i) {
-      m_votes[i].store(shared.votes[i], std::memory_order_relaxed);
+      m_votes[i].store(shared.votes[i] + 1, std::memory_order_relaxed);
     });
   }
 
@@ -140,7 +140,7 @@ public:
       if (is_lone[f] == 0)
         return;
       m_is_outlier[found[f]] = 0;
-      m_votes[found[f]].store(static_cast<std::uint32_t>(m_k), std::memory_order_relaxed);
+      m_votes[found[f]].store(static_cast<std::uint32_t>(m_k) + 1, std::memory_order_relaxed);
     });
   }
 
@@ -175,7 +175,7 @@ public:
           m_search.for_each_nearest(m_cloud.points[marked[f]], m_k + 1,
                                     [&](std::size_t j, const Point&, double)
                                     {
-            if (j != marked[f]) // no point has a vote of its own
+            if (j != marked[f])
               m_votes[j].fetch_sub(number, std::memory_order_relaxed);
           });
       });
@@ -184,7 +184,11 @@ public:
   }
 
 private:
-  std::size_t votes(std::size_t i) const { return m_votes[i].load(std::memory_order_relaxed); }
+  // Not its own, which is gone with those of the point that represents it.
+  std::size_t votes(std::size_t i) const
+  {
+    return (std::max)(m_votes[i].load(std::memory_order_relaxed), std::uint32_t(1)) - 1;
+  }
 
   // of the neighbors of i, those not marked that would vote for it, were they asked one by one
   std::size_t number_of_voters(std::size_t i) const
@@ -248,7 +252,7 @@ private:
   bool m_are_outliers_dense;
   Sparseness m_sparseness;
   const Adaptive_settings& m_settings;
-  // sums of integers: the order does not matter
+  // Of each point, its own among them. Sums of integers: the order does not matter.
   Uninitialized_vector<std::atomic<std::uint32_t>> m_votes;
   std::vector<std::uint8_t> m_is_in_layer;
   std::vector<std::uint8_t>& m_is_outlier;

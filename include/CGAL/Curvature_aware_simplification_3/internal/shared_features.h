@@ -122,7 +122,7 @@ Shared_features compute_shared_features(const Cloud& cloud, const Neighbor_searc
     if (represented[i] == 0 && shared.features.inverse_density[i] > sparse)
       assign(i, local_features<DiagonalizeTraits>(search, cloud.points[i], size,
                                                   cloud.coordinate_error));
-    shared.votes[i] = votes[i].load(std::memory_order_relaxed) - represented[i]; // not its own
+    shared.votes[i] = votes[i].load(std::memory_order_relaxed) - 1; // not its own
   });
   return shared;
 }
