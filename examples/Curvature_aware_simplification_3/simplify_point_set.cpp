@@ -7,8 +7,10 @@
 #include <CGAL/curvature_aware_simplify_point_set.h>
 
 #include <boost/algorithm/string/case_conv.hpp>
+#include <boost/algorithm/string/join.hpp>
 #include <boost/program_options.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdio>
@@ -80,7 +82,8 @@ std::optional<Options> read_options(int argc, char* argv[])
       "number of iterations of the relaxation")(
       "seed,s", po::value(&options.seed)->default_value(0), "seed of the random numbers")(
       "subset", po::bool_switch(&options.subset),
-      "select points of the input with all their properties, and do not move them")(
+      "select points of the input with all their properties, and do not move them; without, "
+      "normals, colors and other properties are not written")(
       "quiet,q", po::bool_switch(&options.quiet), "print nothing but errors");
   po::options_description paper("With the settings of the paper");
   paper.add_options()("paper", po::bool_switch(&options.settings_of_the_paper),
@@ -289,6 +292,17 @@ void print(const CGAL::Curvature_aware_simplification_report& report)
             << "  projection " << report.projection_time << " s\n";
 }
 
+// What the file tells of the points besides where they are
+std::string other_properties(const Point_set& points)
+{
+  std::vector<std::string> names = points.properties();
+  names.erase(std::remove_if(names.begin(), names.end(),
+                             [](const std::string& name)
+                             { return name == "index" || name == "point"; }),
+              names.end());
+  return boost::algorithm::join(names, ", ");
+}
+
 template <typename NamedParameters>
 Point_set simplify(const Point_set& points, const Options& options, const NamedParameters& np)
 {
@@ -323,6 +337,10 @@ void run(const Options& options)
   const Point_set points = read(options.input);
   if (!options.quiet)
     std::cout << "points     " << points.size() << std::endl;
+  const std::string others = other_properties(points);
+  if (!options.quiet && !options.subset && !others.empty())
+    std::cout << "left out   " << others << "; points that move have none, see --subset"
+              << std::endl;
 
   const std::function<bool(double)> callback =
       !options.quiet && isatty(fileno(stderr)) != 0 ? show_progress : std::function<bool(double)>();

@@ -55,8 +55,8 @@ The input is neither changed nor reordered. The result is the same, bit by bit, 
 seed, whatever the concurrency tag and the number of threads; another compiler, other options or another
 version of a library may round differently. It depends neither on the unit and the origin of the
 coordinates nor on the order of the points, with two exceptions: where rounding decides, between equal
-distances, as on regular grids, or about whether a point is an outlier, other samples, as good, may be
-selected; and if more points are asked for than are distinct, the order decides which duplicates are
+distances, as on regular grids and where coordinates were rounded, or about whether a point is an outlier,
+other samples, as good, may be selected; and if more points are asked for than are distinct, the order decides which duplicates are
 returned.
 
 With \f$M\f$ input and \f$N\f$ output points, the time is \f$O(M (\log M + k) + i N \log M)\f$ for
@@ -149,8 +149,8 @@ the radius \f$h\f$, the time is \f$O(M (\log M + k) + i N (\log M + n))\f$, with
     \cgalParamDefault{`10`}
     \cgalParamExtra{More iterations give a more regular result but increase the running time. The
                     relaxation ends earlier when samples rest: when they move by less than a
-                    thousandth of their spacing in the mean. With the settings of the paper, it does
-                    not.}
+                    thousandth of their spacing in the mean. At edges and in noise, some may never
+                    rest. With the settings of the paper, it does not.}
   \cgalParamNEnd
 
   \cgalParamNBegin{repulsion_weight}

@@ -77,6 +77,9 @@ ln -s elsewhere/new.xyz dangling.xyz
 
 # attributes of a subset
 awk '{ print $0, 0, 0, 1 }' patch.xyz >normals.xyz
+"$tool" normals.xyz moved.xyz | grep -q "^left out   normal; .*--subset" ||
+  fail "normals are left out without a word"
+"$tool" --subset normals.xyz subset.xyz | grep -q "left out" && fail "--subset leaves something out"
 "$tool" -q --subset normals.xyz subset.xyz
 [ "$(grep -cE " 0 0 1$" subset.xyz)" -eq 500 ] || fail "--subset loses normals"
 
