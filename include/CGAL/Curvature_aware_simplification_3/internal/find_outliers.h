@@ -120,7 +120,8 @@ std::vector<std::uint8_t> find_outliers(const Cloud& cloud, const Neighbor_searc
   if (settings.find_clusters)
   {
     const std::vector<std::size_t> found =
-        Isolated_clusters(cloud, search, shared.features, k, sparseness.of_outliers, is_outlier)
+        Isolated_clusters(cloud, search, shared.features, k, sparseness.of_outliers, is_outlier,
+                          tag)
             .points<ConcurrencyTag>();
     votes.mark(found, tag);
   }

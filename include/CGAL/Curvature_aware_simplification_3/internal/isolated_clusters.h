@@ -9,6 +9,7 @@
 #include <CGAL/Curvature_aware_simplification_3/internal/Cloud.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Covariance_sums.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Neighbor_search.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/Uninitialized_vector.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/features.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/loops.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/mutual_neighbors.h>
@@ -37,15 +38,33 @@ class Isolated_clusters
 public:
   // Points with more than `sparse` 1/rho are so far from others that their neighborhoods may be of
   // several parts.
+  template <typename ConcurrencyTag>
   Isolated_clusters(const Cloud& cloud, const Neighbor_search& search, const Features& features,
-                    std::size_t k, double sparse, const std::vector<std::uint8_t>& is_outlier)
+                    std::size_t k, double sparse, const std::vector<std::uint8_t>& is_outlier,
+                    const ConcurrencyTag&)
     : m_cloud(cloud),
       m_search(search),
       m_features(features),
       m_k(k),
       m_sparse(sparse),
       m_is_outlier(is_outlier)
-  {}
+  {
+    const std::vector<std::size_t> far_ones =
+        indices_where<ConcurrencyTag>(cloud.size(), [&](std::size_t i) { return is_far(i); });
+    if (far_ones.empty())
+      return;
+    // Twice as far as its second nearest, which is in the same speck. Of specks of 8 points, with a
+    // deviation as large as the spacing of the surface, a quarter more are found than with three
+    // times as far: these lead from one to another.
+    constexpr double reach = 2.;
+    m_squared_reach.resize(cloud.size());
+    for_each_index<ConcurrencyTag>(0, far_ones.size(),
+                                   [&](std::size_t f)
+                                   {
+      const Point& p = cloud.points[far_ones[f]];
+      m_squared_reach[far_ones[f]] = reach * reach * search.squared_distance_of_nearest(p, 3);
+    });
+  }
 
   // All their points. Components are searched from the places where the Hilbert curve jumps between
   // points that are not flat; up to 8 k points of each are visited, which takes O(k + log n) each.
@@ -84,9 +103,8 @@ private:
   // may look flat.
   bool may_be_in_cluster(std::size_t i) const
   {
-    return m_is_outlier[i] == 0 &&
-           (m_features.surface_variation[i] > largest_variation_of_flat_points ||
-            m_features.inverse_density[i] > m_sparse);
+    return is_far(i) || (m_is_outlier[i] == 0 &&
+                         m_features.surface_variation[i] > largest_variation_of_flat_points);
   }
 
   // The first point of a component is not linked to those before it on the curve. Of most
@@ -104,15 +122,16 @@ private:
     return true;
   }
 
-  // Where a point is far from others, how far it reaches: twice as far as its second nearest, which
-  // is in the same speck. Of specks of 8 points, with a deviation as large as the spacing of the
-  // surface, a quarter more are found than with three times as far: these lead from one to another.
+  // Whether the point is far from others, and no outlier by itself
+  bool is_far(std::size_t i) const
+  {
+    return m_is_outlier[i] == 0 && m_features.inverse_density[i] > m_sparse;
+  }
+
+  // How far a point reaches that is far from others; any other reaches all
   double squared_reach(std::size_t i) const
   {
-    constexpr double reach = 2.;
-    if (m_is_outlier[i] != 0 || m_features.inverse_density[i] <= m_sparse)
-      return std::numeric_limits<double>::infinity();
-    return reach * reach * m_search.squared_distance_of_nearest(m_cloud.points[i], 3);
+    return is_far(i) ? m_squared_reach[i] : std::numeric_limits<double>::infinity();
   }
 
   // Whether one of two points reaches the other: then they are linked, if they are among the k
@@ -211,6 +230,7 @@ private:
   std::size_t m_k;
   double m_sparse;
   const std::vector<std::uint8_t>& m_is_outlier;
+  Uninitialized_vector<double> m_squared_reach; // of far points; empty if there are none
 };
 
 } // namespace internal
