@@ -35,7 +35,7 @@ struct Curvature_aware_simplification_report
 
   /// typical distance of neighboring output points: that of a hexagonal lattice of their mean
   /// density, or, with the settings of the paper, of the median density of the selected points; the
-  /// nearest point is nearer, at 0.80 to 0.88 of it in the mean
+  /// nearest of the neighbors is nearer, on four scans at 0.80 to 0.88 of it in the mean
   double output_spacing = 0.;
   /// with the settings of the paper, the radius \f$h\f$ that was used, given or derived; otherwise 0
   double neighbor_radius = 0.;

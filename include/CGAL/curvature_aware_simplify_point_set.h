@@ -56,8 +56,8 @@ seed, whatever the concurrency tag and the number of threads; another compiler, 
 version of a library may round differently. It depends neither on the unit and the origin of the
 coordinates nor on the order of the points, with two exceptions: where rounding decides, between equal
 distances, as on regular grids and where coordinates were rounded, or about whether a point is an outlier,
-other samples, as good, may be selected; and if more points are asked for than are distinct, the order decides which duplicates are
-returned.
+other samples, as good, may be selected; and if more points are asked for than are distinct, the order
+decides which duplicates are returned.
 
 With \f$M\f$ input and \f$N\f$ output points, the time is \f$O(M (\log M + k) + i N \log M)\f$ for
 \f$i\f$ iterations, and the memory \f$O(M)\f$.

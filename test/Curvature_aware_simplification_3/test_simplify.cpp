@@ -9,6 +9,7 @@
 
 #ifdef CGAL_LINKED_WITH_TBB
 #include <tbb/global_control.h>
+#include <tbb/parallel_for.h>
 #endif
 
 #include <boost/iterator/function_output_iterator.hpp>
@@ -171,6 +172,34 @@ TEST_P(Both_methods, result_is_bitwise_the_same_for_every_tag_and_number_of_thre
   }
   // nor does it matter whether somebody watches
   EXPECT_EQ(sequential, simplified(points, parameters.callback([](double) { return true; })));
+}
+
+TEST_P(Both_methods, calls_at_the_same_time_do_not_disturb_each_other)
+{
+  // noisy ones and clean ones, so that threads leave different things in their buffers
+  std::vector<std::vector<Point>> scans, expected, found(8);
+  CGAL::Random random(5);
+  for (std::size_t i = 0; i < found.size(); ++i)
+  {
+    scans.push_back(surfaces::sphere(3000 + 500 * i, 60 + static_cast<unsigned int>(i)));
+    if (i % 2 == 0)
+      for (Point& p : scans.back())
+        p = p + 0.02 * Vector(surfaces::normal_deviate(random), 0., 0.);
+    expected.push_back(simplified(scans[i], np::select_percentage(10)));
+  }
+  std::vector<std::thread> threads;
+  for (std::size_t i = 0; i < found.size(); ++i)
+    threads.emplace_back([&, i] { found[i] = simplified(scans[i], np::select_percentage(10)); });
+  for (std::thread& thread : threads)
+    thread.join();
+  EXPECT_EQ(found, expected);
+#ifdef CGAL_LINKED_WITH_TBB
+  found.assign(scans.size(), {});
+  tbb::parallel_for(std::size_t(0), scans.size(),
+                    [&](std::size_t i)
+                    { found[i] = simplified(scans[i], np::select_percentage(10)); });
+  EXPECT_EQ(found, expected);
+#endif
 }
 
 TEST_P(Both_methods, result_scales_and_moves_with_the_input)
