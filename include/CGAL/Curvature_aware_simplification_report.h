@@ -30,6 +30,9 @@ struct Curvature_aware_simplification_report
   std::size_t number_of_input_points = 0;
   /// number of input points that differ from each other, relative to the center of their bounding box
   std::size_t number_of_distinct_points = 0;
+  /// number of distinct points that were merged with others, since they are copies of the same place: nearer to
+  /// each other by far than to the points around; 0 where that would leave fewer than are asked for
+  std::size_t number_of_merged_points = 0;
   /// number of points written
   std::size_t number_of_output_points = 0;
 
@@ -46,7 +49,7 @@ struct Curvature_aware_simplification_report
   /// typical step to which the depth of the points was rounded, as by a depth camera, and which was undone; 0 if
   /// they show none. The median of the steps, where they differ.
   double depth_step = 0.;
-  /// number of distinct input points that were taken for outliers and left out
+  /// number of distinct input points that were taken for outliers and left out; copies of a place count once
   std::size_t number_of_outliers = 0;
   /// standard deviation of the distance of the other input points to the surface, as estimated: the median
   /// over the points, where it differs by place; 0 if the points are too few to tell it from shape

@@ -61,6 +61,15 @@ std::vector<Point> simplified(const std::vector<Point>& points,
   return output;
 }
 
+template <typename Distance>
+double mean_distance(const std::vector<Point>& points, const Distance& distance)
+{
+  double sum = 0.;
+  for (const Point& p : points)
+    sum += distance(p);
+  return sum / static_cast<double>(points.size());
+}
+
 template <typename Function>
 std::vector<Point> each(std::vector<Point> points, const Function& function)
 {

@@ -16,15 +16,6 @@ namespace {
 
 using namespace inputs;
 
-template <typename Distance>
-double mean_distance(const std::vector<Point>& points, const Distance& distance)
-{
-  double sum = 0.;
-  for (const Point& p : points)
-    sum += distance(p);
-  return sum / static_cast<double>(points.size());
-}
-
 TEST(Adaptive, lies_on_the_surface)
 {
   CGAL::Curvature_aware_simplification_report report;

@@ -195,6 +195,18 @@ inline Points with_frames(const Points& points, double sigma, CGAL::Random& rand
   return result;
 }
 
+// Each point twenty times, with normally distributed errors of standard deviation `sigma` in each
+// coordinate, as of scans that were registered well
+inline Points with_copies(const Points& points, double sigma, CGAL::Random& random)
+{
+  const double length = sigma * diagonal(points);
+  Points result;
+  for (int copy = 0; copy < 20; ++copy)
+    for (const Point& p : points)
+      result.push_back(p + length * normal_vector(random));
+  return result;
+}
+
 // Every second point is of another scan, which is `distance` off
 inline Points with_shift(Points points, double distance, CGAL::Random& random)
 {
@@ -208,7 +220,7 @@ inline Points with_shift(Points points, double distance, CGAL::Random& random)
 
 // By name: clean, noise:PERCENT, uneven_noise:PERCENT, outliers:PERCENT, clusters:PERCENT,
 // density:FACTOR, hole:PERCENT, duplicates:PERCENT, lines:PERCENT, range_noise:PERCENT,
-// rounding:PERCENT, depth:PERCENT, frames:PERCENT, shift:PERCENT, or several of them one after the
+// rounding:PERCENT, depth:PERCENT, frames:PERCENT, copies:PERCENT, shift:PERCENT, or several of them one after the
 // other, as in density:10+noise:0.2
 inline Points degraded(const Points& points, const std::string& degradation, unsigned int seed)
 {
@@ -246,6 +258,8 @@ inline Points degraded(const Points& points, const std::string& degradation, uns
     return with_rounded_depth(points, value / 100.);
   if (name == "frames")
     return with_frames(points, value / 100., random);
+  if (name == "copies")
+    return with_copies(points, value / 100., random);
   if (name == "shift")
     return with_shift(points, value / 100., random);
   throw std::invalid_argument("there is no degradation " + degradation);

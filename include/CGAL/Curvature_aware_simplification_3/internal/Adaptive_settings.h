@@ -18,6 +18,8 @@ struct Adaptive_settings
 {
   // Steps that depth was rounded to are undone, instead of taken for faces.
   bool undo_rounding = true;
+  // Copies of a place are merged.
+  bool merge_copies = true;
   // Outliers are removed.
   bool find_outliers = true;
   // Sparse parts of a surface are no outliers, even where all their points are thick and far from

@@ -21,6 +21,7 @@
 #include <CGAL/Curvature_aware_simplification_3/internal/find_outliers.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/lattice_spacing.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/leave_out_outliers.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/merge_copies.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/noise_of_scan.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/prefix_sums.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/read_parameters.h>
@@ -69,8 +70,8 @@ Noise_levels noise_and_enough_points(Cloud& cloud, std::unique_ptr<Neighbor_sear
   return many > few_probes && noise.is_visible_above(error()) ? noise_at(many) : noise;
 }
 
-// Measures what disturbs the input and takes it away, in this order: steps of the depth, outliers,
-// noise. Takes what it is given, and lets go of each part when it is not needed any more: the
+// Measures what disturbs the input and takes it away, in this order: steps of the depth, copies,
+// outliers, noise. Takes what it is given, and lets go of each part when it is not needed any more: the
 // search tree is as large as all else.
 template <typename ConcurrencyTag, typename DiagonalizeTraits>
 Scan clean_scan(Cloud cloud, std::unique_ptr<Neighbor_search> search, const Parameters& parameters,
@@ -78,8 +79,6 @@ Scan clean_scan(Cloud cloud, std::unique_ptr<Neighbor_search> search, const Para
                 Curvature_aware_simplification_report& report)
 {
   const std::size_t number_of_samples = parameters.number_of_output_points;
-  const std::size_t distinct = cloud.size();
-  const std::size_t k = neighborhood_size(parameters.number_of_neighbors, distinct) - 1;
 
   Stopwatch stopwatch;
   Depth_levels depth_levels;
@@ -87,22 +86,26 @@ Scan clean_scan(Cloud cloud, std::unique_ptr<Neighbor_search> search, const Para
     depth_levels = undo_rounding<ConcurrencyTag>(cloud, search);
   progress.report(0.1);
   report.depth_step = cloud.frame.length_from_frame(depth_levels.typical_step());
+  // where points come from is not asked any more
+  cloud.input_index = Uninitialized_vector<std::size_t>();
+  cloud.duplicates = std::vector<Duplicate>();
+  if (settings.merge_copies)
+    report.number_of_merged_points = merge_copies<ConcurrencyTag>(cloud, search, number_of_samples);
   report.sorting_time += stopwatch.lap();
 
+  const std::size_t places = cloud.size();
+  const std::size_t k = neighborhood_size(parameters.number_of_neighbors, places) - 1;
   Shared_features shared = compute_shared_features<ConcurrencyTag, DiagonalizeTraits>(
       cloud, *search, parameters.number_of_neighbors, progress.part(0.1, 0.6));
   report.maximum_surface_variation = largest_surface_variation<ConcurrencyTag>(shared.features);
   report.features_time = stopwatch.lap();
 
-  // where points come from is not asked any more
-  cloud.input_index = Uninitialized_vector<std::size_t>();
-  cloud.duplicates = std::vector<Duplicate>();
   std::size_t outliers_found = 0;
   if (settings.find_outliers)
     outliers_found = leave_out_outliers<ConcurrencyTag>(cloud, search, shared, k, number_of_samples,
                                                         settings, progress.part(0.6, 0.7));
   progress.report(0.7);
-  report.number_of_outliers = distinct - cloud.size();
+  report.number_of_outliers = places - cloud.size();
   report.outliers_time = stopwatch.lap();
 
   Features features = std::move(shared.features);
@@ -121,7 +124,7 @@ Scan clean_scan(Cloud cloud, std::unique_ptr<Neighbor_search> search, const Para
             cloud.coordinate_error,
             area,
             std::vector<Point>(),
-            is_more_than_a_few(outliers_found, distinct)};
+            is_more_than_a_few(outliers_found, places)};
   features = Features();
   progress.report(0.75);
   report.noise_time = stopwatch.lap();
