@@ -55,7 +55,8 @@ struct Curvature_aware_simplification_report
   /// over the points, where it differs by place; 0 if the points are too few to tell it from shape
   double noise_level = 0.;
 
-  /// copying, checking and sorting the points, building the search tree, and undoing the rounding of depth
+  /// copying, checking and sorting the points, building the search tree, undoing the rounding of depth,
+  /// and merging copies of places
   double sorting_time = 0.;
   /// surface variation and density of all input points
   double features_time = 0.;

@@ -84,13 +84,14 @@ Scan clean_scan(Cloud cloud, std::unique_ptr<Neighbor_search> search, const Para
   Depth_levels depth_levels;
   if (settings.undo_rounding)
     depth_levels = undo_rounding<ConcurrencyTag>(cloud, search);
-  progress.report(0.1);
+  progress.report(0.08);
   report.depth_step = cloud.frame.length_from_frame(depth_levels.typical_step());
   // where points come from is not asked any more
   cloud.input_index = Uninitialized_vector<std::size_t>();
   cloud.duplicates = std::vector<Duplicate>();
   if (settings.merge_copies)
-    report.number_of_merged_points = merge_copies<ConcurrencyTag>(cloud, search, number_of_samples);
+    report.number_of_merged_points =
+        merge_copies<ConcurrencyTag>(cloud, search, number_of_samples, progress.part(0.08, 0.1));
   report.sorting_time += stopwatch.lap();
 
   const std::size_t places = cloud.size();
