@@ -279,6 +279,7 @@ void print(const CGAL::Curvature_aware_simplification_report& report)
 {
   std::cout << "spacing    " << report.output_spacing << "\n"
             << "depth step " << report.depth_step << "\n"
+            << "merged     " << report.number_of_merged_points << "\n"
             << "outliers   " << report.number_of_outliers << "\n"
             << "noise      " << report.noise_level << "\n"
             << "time of\n"

@@ -51,7 +51,7 @@ double distance_of_copies_in(const std::vector<Point>& points)
 {
   const Cloud cloud = make_cloud<Tag>(points, 1e-16);
   const Neighbor_search search(cloud.points, Tag());
-  return cloud.frame.length_from_frame(distance_of_copies<Tag>(cloud.points, search));
+  return cloud.frame.length_from_frame(distance_of_copies<Tag>(cloud.points, search, 64));
 }
 
 std::vector<Point> merged(const std::vector<Point>& points, std::size_t number_of_samples)
@@ -148,8 +148,16 @@ TEST(Copies, are_more_than_those_of_chance)
   }
   // noise of a scanner at rest that is as large as its points are apart
   EXPECT_EQ(number_merged(frames_of_a_scanner_at_rest(40, 10, 1., 1)), 0u);
-  // more of each place than neighbors are looked at
-  EXPECT_EQ(number_merged(copies_of(lattice(10), 80, 0.001, 1)), 0u);
+}
+
+// As many as there are points for each sample, but for no more than 256 neighbors
+TEST(Copies, are_looked_for_as_long_as_there_may_be_more)
+{
+  const std::vector<Point> points = copies_of(lattice(10), 80, 0.001, 1);
+  EXPECT_EQ(merged(points, 100).size(), 100u);
+  const std::vector<Point> many = copies_of(lattice(10), 200, 0.001, 1);
+  EXPECT_EQ(merged(many, 100).size(), 100u);
+  EXPECT_EQ(merged(copies_of(lattice(10), 300, 0.001, 1), 100).size(), 30000u);
 }
 
 TEST(Copies, are_replaced_by_their_mean)
@@ -205,11 +213,12 @@ TEST(Copies, are_not_looked_for_among_all_points_of_a_dense_place)
   points.insert(points.end(), returns.begin(), returns.end());
   const Cloud cloud = make_cloud<Tag>(points, 1e-16);
   const Neighbor_search search(cloud.points, Tag());
-  const double r = distance_of_copies<Tag>(cloud.points, search);
-  ASSERT_GT(r, 0.);
+  const Copies_of_places copies = find_copies<Tag>(cloud.points, search, 10000);
+  ASSERT_GT(copies.distance, 0.);
+  EXPECT_EQ(copies.most, 64u);
   std::size_t left = 0;
   for (std::size_t i = 0; i < cloud.size(); ++i)
-    left += merged_point(i, cloud.points, search, r).is_left ? 1 : 0;
+    left += merged_point(i, cloud.points, search, copies).is_left ? 1 : 0;
   EXPECT_NEAR(static_cast<double>(left), 27000. + 1600., 50.);
 }
 

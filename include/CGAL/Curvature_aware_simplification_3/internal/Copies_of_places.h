@@ -25,24 +25,23 @@ namespace CGAL {
 namespace Curvature_aware_simplification_3 {
 namespace internal {
 
-// More copies of a place are not recognized: that would take as much more time of all calls.
-inline constexpr std::size_t most_copies = 64;
-
-// The distances of some points to their nearest neighbors, each in increasing order. With 64 points
-// instead of 128, pairs on a curve look like copies by chance; a call for Igea takes 0.4 % of its
-// time for these.
+// The distances of some points to so many of their nearest neighbors, each in increasing order. As
+// many distances are enough, however many are at one point: with half of them, pairs on a curve
+// look like copies by chance.
 template <typename ConcurrencyTag>
 std::vector<std::vector<double>> distances_of_neighbors(const std::vector<Point>& points,
-                                                        const Neighbor_search& search)
+                                                        const Neighbor_search& search,
+                                                        std::size_t number_of_neighbors)
 {
-  constexpr std::size_t most_probes = 128;
-  std::vector<std::vector<double>> distances((std::min)(most_probes, points.size()));
+  constexpr std::size_t enough = 128 * 64;
+  std::vector<std::vector<double>> distances(
+      (std::min)(enough / number_of_neighbors, points.size()));
   for_each_index<ConcurrencyTag>(0, distances.size(),
                                  [&](std::size_t probe)
                                  {
     std::vector<double>& here = distances[probe];
     const Point& p = points[middle_of_part(probe, distances.size(), points.size())];
-    search.for_each_nearest(p, most_copies + 1,
+    search.for_each_nearest(p, number_of_neighbors + 1,
                             [&](std::size_t, const Point&, double squared_distance)
                             { here.push_back(std::sqrt(squared_distance)); });
     std::sort(here.begin(), here.end());
@@ -104,12 +103,13 @@ inline double surplus_of_copies(const std::vector<std::vector<double>>& distance
 // The distance within which points are copies of each other, in the middle of the gap by its
 // logarithm, so that copies with large errors are not left alone; 0 if there are no copies
 template <typename ConcurrencyTag>
-double distance_of_copies(const std::vector<Point>& points, const Neighbor_search& search)
+double distance_of_copies(const std::vector<Point>& points, const Neighbor_search& search,
+                          std::size_t most_copies)
 {
   constexpr double step = 1.1;
   constexpr std::size_t tenth = 10; // fewer points with copies do little harm
   const std::vector<std::vector<double>> distances =
-      distances_of_neighbors<ConcurrencyTag>(points, search);
+      distances_of_neighbors<ConcurrencyTag>(points, search, most_copies);
   std::vector<double> nearest, farthest;
   for (const std::vector<double>& here : distances)
   {
@@ -129,6 +129,29 @@ double distance_of_copies(const std::vector<Point>& points, const Neighbor_searc
     }
   }
   return result;
+}
+
+struct Copies_of_places
+{
+  double distance;  // within which points are copies of each other; 0 if there are none
+  std::size_t most; // of a place, that were looked for
+};
+
+// Looks for up to 64 copies of each place, and for more where there are none, but enough points: for
+// twice as many as there are points for each sample at most, since no fewer places are left than
+// samples, and places differ. 64 take 0.4 % of the time of a call for Igea, and so does each round.
+template <typename ConcurrencyTag>
+Copies_of_places find_copies(const std::vector<Point>& points, const Neighbor_search& search,
+                             std::size_t number_of_samples)
+{
+  constexpr std::size_t usual = 64, largest = 256;
+  const std::size_t enough = (std::min)(2 * (points.size() / number_of_samples), largest);
+  for (std::size_t most = usual;; most *= 2)
+  {
+    const double distance = distance_of_copies<ConcurrencyTag>(points, search, most);
+    if (distance > 0. || most >= enough)
+      return {distance, most};
+  }
 }
 
 } // namespace internal

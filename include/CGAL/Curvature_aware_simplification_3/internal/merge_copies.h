@@ -27,22 +27,19 @@ namespace CGAL {
 namespace Curvature_aware_simplification_3 {
 namespace internal {
 
-// Where a ball holds more, its points are no copies of a place, but a part that is dense: twice
-// what is recognized, since the ball around one copy may reach into the next place.
-inline constexpr std::size_t most_in_ball_of_copies = 2 * most_copies;
-
-// What the points within r of a point make of it
+// What is made of a point
 struct Merged_point
 {
   bool is_left;
   Point point;
 };
 
-// Of points within r of each other, the one whose turn comes first is left, at the mean of those
-// within r of it, so that their errors are averaged. By random turns, some are left as well where
-// each point is within r of the next. In dense parts, all are left as they are.
+// Of points within the distance r of copies, the one whose turn comes first is left, at the mean of
+// those within r of it, so that their errors are averaged. By random turns, some are left as well
+// where each point is within r of the next. Where a ball holds twice as many as were looked for - it
+// may reach into the next place - they are no copies but a dense part, and all are left as they are.
 inline Merged_point merged_point(std::size_t i, const std::vector<Point>& points,
-                                 const Neighbor_search& search, double r)
+                                 const Neighbor_search& search, const Copies_of_places& copies)
 {
   const Counter_based_random turns(0, 0);
   const std::uint64_t turn = turns.bits(i);
@@ -50,15 +47,15 @@ inline Merged_point merged_point(std::size_t i, const std::vector<Point>& points
   std::size_t number = 0;
   Vector sum(0., 0., 0.);
   search.for_each_within(
-      points[i], r,
+      points[i], copies.distance,
       [&](std::size_t j, const Point& p, double)
       {
     is_first = is_first && turn <= turns.bits(j);
     sum = sum + (p - points[i]);
     ++number;
       },
-      most_in_ball_of_copies);
-  if (number > most_in_ball_of_copies)
+      2 * copies.most);
+  if (number > 2 * copies.most)
     return {true, points[i]};
   return {is_first, points[i] + sum / static_cast<double>(number)};
 }
@@ -72,14 +69,15 @@ template <typename ConcurrencyTag>
 std::size_t merge_copies(Cloud& cloud, std::unique_ptr<Neighbor_search>& search,
                          std::size_t number_of_samples, const Progress& progress)
 {
-  const double r = distance_of_copies<ConcurrencyTag>(cloud.points, *search);
-  if (!(r > 0.))
-    return 0;
   const std::size_t n = cloud.size();
+  const Copies_of_places copies =
+      find_copies<ConcurrencyTag>(cloud.points, *search, number_of_samples);
+  if (!(copies.distance > 0.))
+    return 0;
   std::vector<std::uint8_t> is_left(n);
   for_each_index<ConcurrencyTag>(n, progress,
                                  [&](std::size_t i) {
-    is_left[i] = merged_point(i, cloud.points, *search, r).is_left ? 1 : 0;
+    is_left[i] = merged_point(i, cloud.points, *search, copies).is_left ? 1 : 0;
   });
   const std::vector<std::size_t> left =
       indices_where<ConcurrencyTag>(n, [&](std::size_t i) { return is_left[i] != 0; });
@@ -88,7 +86,7 @@ std::size_t merge_copies(Cloud& cloud, std::unique_ptr<Neighbor_search>& search,
   std::vector<Point> places(left.size());
   for_each_index<ConcurrencyTag>(0, left.size(),
                                  [&](std::size_t i) {
-    places[i] = merged_point(left[i], cloud.points, *search, r).point;
+    places[i] = merged_point(left[i], cloud.points, *search, copies).point;
   });
   search.reset(); // before the next one takes as much memory
   cloud.points = std::move(places);
