@@ -21,8 +21,8 @@ unit of the input, times in seconds of wall time.
 
 What is not measured is 0. If all distinct points are returned, or there are fewer than 57 of them, only
 the numbers of points and the time of sorting are measured; if outliers leave fewer than 57, there is
-no time from the selection on. With the settings of the paper, neither steps of the depth nor outliers
-nor noise are looked for, and samples are moved in any case.
+no time from the selection on. With the settings of the paper, neither steps of the depth nor copies of
+places nor outliers nor noise are looked for, and samples are moved in any case.
 */
 struct Curvature_aware_simplification_report
 {

@@ -26,9 +26,8 @@ a locally optimal projection started from a curvature-aware random selection, ma
 input:
 
 -# Where depth was rounded to steps, as by a depth camera, points are moved back to between them.
--# Copies of a place, which are nearer to each other by far than to the points around, as of a scanner at
-   rest and where files differ by rounding, are replaced by their mean, unless fewer than \f$N\f$ points,
-   or than 57, would be left.
+-# Copies of a place, as of a scanner at rest and in files that differ by rounding, are replaced by their
+   mean, unless fewer than \f$N\f$ points, or than 57, would be left.
 -# Outliers are found: points that few others have among their \f$k\f$ nearest neighbors, points that are
    far from others and in no layer, and small clusters apart from all else that are as thick as wide. They are
    left out of what follows, unless fewer than \f$N\f$ points, or than half of them, would be left: then

@@ -220,8 +220,8 @@ inline Points with_shift(Points points, double distance, CGAL::Random& random)
 
 // By name: clean, noise:PERCENT, uneven_noise:PERCENT, outliers:PERCENT, clusters:PERCENT,
 // density:FACTOR, hole:PERCENT, duplicates:PERCENT, lines:PERCENT, range_noise:PERCENT,
-// rounding:PERCENT, depth:PERCENT, frames:PERCENT, copies:PERCENT, shift:PERCENT, or several of them one after the
-// other, as in density:10+noise:0.2
+// rounding:PERCENT, depth:PERCENT, frames:PERCENT, copies:PERCENT, shift:PERCENT, or several of them
+// one after the other, as in density:10+noise:0.2
 inline Points degraded(const Points& points, const std::string& degradation, unsigned int seed)
 {
   const std::size_t plus = degradation.find('+');

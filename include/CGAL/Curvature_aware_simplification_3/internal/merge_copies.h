@@ -83,7 +83,7 @@ std::size_t merge_copies(Cloud& cloud, std::unique_ptr<Neighbor_search>& search,
       indices_where<ConcurrencyTag>(n, [&](std::size_t i) { return is_left[i] != 0; });
   if (left.size() < (std::max)(number_of_samples, fewest_points_to_fit))
     return 0;
-  std::vector<Point> places(left.size());
+  std::vector<Point> places(left.size()); // few: computed again, instead of kept for all points
   for_each_index<ConcurrencyTag>(0, left.size(),
                                  [&](std::size_t i) {
     places[i] = merged_point(left[i], cloud.points, *search, copies).point;
