@@ -5,6 +5,7 @@
 #include <CGAL/Curvature_aware_simplification_3/internal/Cloud.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Neighbor_search.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Noise_levels.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/columns_of_points.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/limits_of_noise.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/measure_noise.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/median.h>
@@ -15,6 +16,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <limits>
 #include <utility>
 #include <vector>
@@ -405,7 +407,7 @@ TEST(Noise_of_range, is_confirmed_by_layers_that_stay_as_thick)
 TEST(Noise_level, is_found_in_columns_of_points)
 {
   for (int frames : {5, 10, 20})
-    for (double sigma : {0.05, 0.3})
+    for (double sigma : {0.05, 0.3, 1.})
     {
       const Cloud cloud =
           make_cloud<Tag>(frames_of_a_scanner_at_rest(60, frames, sigma, 42), 1e-16);
@@ -427,6 +429,68 @@ TEST(Noise_level, is_found_in_columns_of_points)
       EXPECT_GT(static_cast<double>(columns), 0.8 * static_cast<double>(noise.of_range.size()))
           << frames << ' ' << sigma;
     }
+}
+
+TEST(Columns_of_points, have_a_common_axis)
+{
+  const Vector x(1., 0., 0.), y(0., 1., 0.);
+  const std::vector<Vector> vectors = {x, -x, y, CGAL::NULL_VECTOR};
+  const auto vector = [&](std::size_t i) { return vectors[i]; };
+  const Common_axis of_three = common_axis({0, 1, 2}, vector);
+  EXPECT_NEAR(of_three.squared_cosine, 2. / 3., 1e-12);
+  EXPECT_NEAR(of_three.across, 1. / 3., 1e-12);
+  EXPECT_NEAR(std::abs(of_three.axis.x()), 1., 1e-12);
+  EXPECT_NEAR(common_axis({0, 1, 2, 3}, vector).squared_cosine, 0.5, 1e-12);
+  EXPECT_EQ(common_axis({3}, vector).squared_cosine, 0.);
+}
+
+TEST(Columns_of_points, are_few_until_there_are_a_dozen)
+{
+  // columns of five points on a unit grid, 0.1 apart
+  std::vector<Point> points;
+  for (int i = 0; i < 20; ++i)
+    for (int j = 0; j < 20; ++j)
+      for (int f = -2; f <= 2; ++f)
+        points.emplace_back(i, j, 0.1 * f);
+  const Neighbor_search search(points, Tag());
+  const Point place(10., 10., 0.);
+  EXPECT_EQ(direction_to_nearest(search, place).x(), 0.);
+  EXPECT_EQ(std::abs(direction_to_nearest(search, place).z()), 1.);
+  const Column of_17 = column_at(search, place, 17), of_68 = column_at(search, place, 68);
+  EXPECT_EQ(of_17.points, 5.);
+  EXPECT_NEAR(of_17.radius, std::sqrt(2.), 0.02); // 34 points: nine columns but for eleven points
+  EXPECT_TRUE(of_17.is_one_of_few(17));
+  EXPECT_EQ(of_68.points, 5.);
+  EXPECT_FALSE(of_68.is_one_of_few(68)); // of 13.6
+  EXPECT_TRUE((Column{3., 1.}.is_one_of_few(34)));
+  EXPECT_FALSE((Column{2., 1.}.is_one_of_few(17))); // the two sides of a thin part
+  EXPECT_NEAR(std::abs(normal_around_column(search, place).z()), 1., 1e-5);
+}
+
+TEST(Columns_of_points, rise_from_the_surface)
+{
+  // five points each, at 0.1 spacings, along the direction, at random places of a square
+  const auto columns = [](const Vector& direction)
+  {
+    CGAL::Random random(68);
+    std::vector<Point> points;
+    for (int i = 0; i < 2000; ++i)
+    {
+      const Point place(random.uniform_real(0., 45.), random.uniform_real(0., 45.), 0.);
+      for (int f = -2; f <= 2; ++f)
+        points.push_back(place + 0.1 * f * direction);
+    }
+    const Cloud cloud = make_cloud<Tag>(points, 1e-16);
+    const Noise_probes probes = noise_probes<Tag>(cloud.points, few_probes);
+    const std::vector<std::size_t> ranges = all_ranges(probes);
+    const std::vector<std::uint8_t> found =
+        find_columns<Tag>(probes, ranges, Neighbor_search(cloud.points, Tag()));
+    return static_cast<double>(std::count(found.begin(), found.end(), 1)) /
+           static_cast<double>(found.size());
+  };
+  EXPECT_EQ(columns(Vector(0., 0., 1.)), 1.);
+  EXPECT_EQ(columns(Vector(0.8, 0., 0.6)), 1.);
+  EXPECT_EQ(columns(Vector(0.6, 0.8, 0.)), 0.); // pieces of lines of a scan
 }
 
 TEST(Noise_level, sees_no_columns_elsewhere)

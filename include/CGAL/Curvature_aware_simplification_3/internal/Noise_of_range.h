@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <optional>
 
 namespace CGAL {
@@ -97,6 +98,7 @@ struct Noise_of_range
   {
     noise.radius_of_columns = (std::max)(noise.radius_of_columns, radius);
     enough = (std::max)(enough, number);
+    noise.limit = std::numeric_limits<double>::infinity();
     doubtful.reset();
     unconfirmed.reset();
   }

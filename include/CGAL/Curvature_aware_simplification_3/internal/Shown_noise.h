@@ -22,6 +22,7 @@ struct Shown_noise
   bool is_known = true; // if not, these fits tell nothing
   double level = 0.;
   double radius_of_columns = 0.; // of balls that hold several of them, or 0
+  bool is_in_columns = false;    // as points are one above the other
   bool is_steady = false;        // the same in layers of many sizes, as nothing but noise is
   bool is_reliable = true;       // if not, another kind of fits counts, whatever it tells
   double limit = std::numeric_limits<double>::infinity(); // the noise is no more than this

@@ -43,8 +43,7 @@ inline Noise noise_of_both(const Shown_noise& around_quadrics, const Shown_noise
     noise.level = (std::min)(noise.level, around_planes.level);
   noise.level = (std::min)(noise.level, around_planes.limit);
   noise.independent_level = noise.level;
-  noise.radius_of_columns =
-      (std::max)(around_quadrics.radius_of_columns, around_planes.radius_of_columns);
+  noise.radius_of_columns = around_quadrics.radius_of_columns;
   return noise;
 }
 

@@ -11,11 +11,14 @@
 #include <CGAL/Curvature_aware_simplification_3/internal/Neighbor_search.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Noise_probes.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Shown_noise.h>
-#include <CGAL/Curvature_aware_simplification_3/internal/find_columns.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/columns_of_points.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/limits_of_noise.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/turns_of_planes.h>
 
+#include <algorithm>
 #include <cstddef>
+#include <cstdint>
+#include <iterator>
 #include <vector>
 
 namespace CGAL {
@@ -33,28 +36,35 @@ std::vector<Shown_noise> noise_around_planes(const Noise_probes& probes,
   constexpr std::size_t k = 7; // a point and the ring around it
   // A plane turns along the noise as well: with 5, it shows up to a tenth too little of it.
   constexpr double wide_enough = 6.;
+  // the least turn of planes along columns; in the surface, noise turns them by 0.45 at most
+  constexpr double turn_along_columns = 0.4;
 
   const std::vector<std::size_t> ranges = all_ranges(probes);
   const auto layers = [&](std::size_t number)
   { return median_layers<ConcurrencyTag>(probes, ranges, search, number, Layer_around_plane()); };
   const std::vector<Layer> narrow = layers(k), wide = layers(2 * k);
-  std::vector<double> columns(ranges.size(), 0.);
-  if (settings.find_columns)
-    columns =
-        find_columns<ConcurrencyTag>(probes, ranges, search, points_around_column, narrow, wide);
   const std::vector<double> turns = median_turns<ConcurrencyTag>(probes, ranges, search, k);
+  std::vector<std::uint8_t> in_columns(ranges.size(), 0);
+  if (settings.find_columns)
+  {
+    std::vector<std::size_t> suspects; // elsewhere, planes are in the surface
+    std::copy_if(ranges.begin(), ranges.end(), std::back_inserter(suspects),
+                 [&](std::size_t range)
+                 { return turns[range] > turn_along_columns || !narrow[range].is_broad(); });
+    in_columns = find_columns<ConcurrencyTag>(probes, suspects, search);
+  }
   std::vector<Shown_noise> noise(ranges.size());
   std::vector<std::size_t> to_limit;
   for (std::size_t range : ranges)
   {
     Shown_noise& here = noise[range];
-    here.radius_of_columns = columns[range];
+    here.is_in_columns = in_columns[range] != 0;
     const bool stands = settings.tell_standing_fits && turns[range] > largest_turn_of_planes;
-    here.is_known = columns[range] == 0. && narrow[range].is_broad() && !stands;
+    here.is_known = !here.is_in_columns && narrow[range].is_broad() && !stands;
     here.level = noise_of_layers(narrow[range], wide[range]);
     here.is_reliable =
         here.is_known && narrow[range].width >= wide_enough * narrow[range].thickness;
-    if (settings.limit_noise_by_planes && columns[range] == 0. && !here.is_reliable)
+    if (settings.limit_noise_by_planes && !here.is_in_columns && !here.is_reliable)
       to_limit.push_back(range);
   }
   const std::vector<double> limits =

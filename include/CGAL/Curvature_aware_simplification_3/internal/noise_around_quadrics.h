@@ -12,11 +12,12 @@
 #include <CGAL/Curvature_aware_simplification_3/internal/Noise_of_range.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Noise_probes.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Shown_noise.h>
-#include <CGAL/Curvature_aware_simplification_3/internal/find_columns.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/columns_of_points.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/median.h>
 
 #include <algorithm>
 #include <cstddef>
+#include <iterator>
 #include <optional>
 #include <vector>
 
@@ -76,24 +77,20 @@ std::vector<Shown_noise> noise_around_quadrics(const Noise_probes& probes,
 
   std::vector<std::size_t> unknown = all_ranges(probes);
   std::vector<Noise_of_range> of_range(unknown.size());
-  for (std::size_t range : unknown)
-    if (around_planes[range].radius_of_columns > 0.)
-      of_range[range].expect_columns(around_planes[range].radius_of_columns, points_around_column);
   std::size_t k = Noise_of_range::smallest;
   std::vector<Layer> inner = layers(unknown, k / 2), narrow = layers(unknown, k);
   for (; !unknown.empty() && k <= Noise_of_range::largest && 2 * k <= search.size(); k *= 2)
   {
     std::vector<Layer> wide = layers(unknown, 2 * k);
-    if (settings.find_columns)
-    {
-      // Layers of k points hold one or two columns, so those of 8 k about a dozen: in balls that
-      // held half as many, a fifth of the fits of the smoothing stood on the surface.
-      const std::vector<double> columns =
-          find_columns<ConcurrencyTag>(probes, unknown, search, 8 * k, narrow, wide);
-      for (std::size_t range : unknown)
-        if (columns[range] > 0.)
-          of_range[range].expect_columns(columns[range], 4 * k);
-    }
+    // where k points hold too few columns, they show a plane along these and no noise
+    std::vector<std::size_t> in_columns;
+    std::copy_if(unknown.begin(), unknown.end(), std::back_inserter(in_columns),
+                 [&](std::size_t range) { return around_planes[range].is_in_columns; });
+    const std::vector<Column> columns =
+        median_columns<ConcurrencyTag>(probes, in_columns, search, k);
+    for (std::size_t range : in_columns)
+      if (columns[range].is_one_of_few(k))
+        of_range[range].expect_columns(columns[range].radius, 2 * k);
     std::vector<std::size_t> still_unknown;
     for (std::size_t range : unknown)
       if (!of_range[range].learn_from(k, inner[range], narrow[range], wide[range],
