@@ -88,7 +88,7 @@ struct Column
 
 inline Column column_at(const Neighbor_search& search, const Point& place, std::size_t k)
 {
-  constexpr double along = 0.05; // the sine of the angle to the direction of the nearest point
+  constexpr double along = 0.1; // the sine of the angle to the direction of the nearest point
   const Vector direction = direction_to_nearest(search, place);
   std::size_t points = 0;
   search.for_each_nearest(place, k,
