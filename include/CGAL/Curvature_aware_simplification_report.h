@@ -30,7 +30,7 @@ struct Curvature_aware_simplification_report
   std::size_t number_of_input_points = 0;
   /// number of input points that differ from each other, relative to the center of their bounding box
   std::size_t number_of_distinct_points = 0;
-  /// number of distinct points that were merged with others, since they are copies of the same place: nearer to
+  /// by how many distinct points there are fewer since copies of the same place were merged: nearer to
   /// each other by far than to the points around; 0 where that would leave fewer than are asked for
   std::size_t number_of_merged_points = 0;
   /// number of points written
