@@ -120,7 +120,8 @@ struct Adaptive_settings
   // (2^(3/2) - 1) if shape grows like the 3/2 power of the number of neighbors, as a cubic does.
   // With 1, as if it grew like their number, the results are the same within 1 %. With 0, the steps
   // to wider fits are those of a Wiener filter, which go too far where shape is fine: with noise,
-  // errors of most shapes are 1 to 3 % larger, p99 2 to 4 %, those of smooth parts 2 to 5 % smaller.
+  // errors of most shapes are 1 to 3 % larger and p99 2 to 4 %, those of smooth parts 2 to 5 %
+  // smaller.
   double missed_shape = 0.547;
   // Noisy samples are pushed apart once more, after they have been put on the surface.
   bool even_out = true;

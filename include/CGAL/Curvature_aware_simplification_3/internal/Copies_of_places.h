@@ -139,9 +139,9 @@ struct Copies_of_places
   std::size_t most; // of a place, that were looked for
 };
 
-// Looks for up to 64 copies of each place, and for more where there are none, but enough points: for
-// twice as many as there are points for each sample at most, since no fewer places are left than
-// samples, and places differ. 64 take 0.4 % of the time of a call for Igea, and so does each round.
+// Looks for up to 64 copies of each place and, where there are none, for 128 and 256, until that is
+// twice as many as there are points for each sample: no fewer places are left than samples, and
+// places differ. 64 take 0.4 % of the time of a call for Igea, and so does each round.
 template <typename ConcurrencyTag>
 Copies_of_places find_copies(const std::vector<Point>& points, const Neighbor_search& search,
                              std::size_t number_of_samples)

@@ -34,9 +34,9 @@ inline Vector direction_to_nearest(const Neighbor_search& search, const Point& p
   return direction;
 }
 
-// The axis to which unit vectors u are nearest, whatever their signs: the eigenvector of the largest
-// eigenvalue of the mean of u u^T, which is the mean squared cosine to it. The next one is the
-// largest to any axis across. Vectors that are null count as far from all axes.
+// The axis to which unit vectors u are nearest, whatever their signs: the eigenvector of the
+// largest eigenvalue of the mean of u u^T, which is the mean squared cosine to it. The next one is
+// the largest to any axis across. Vectors that are null count as far from all axes.
 struct Common_axis
 {
   Vector axis = NULL_VECTOR;
@@ -124,9 +124,11 @@ std::vector<Column> median_columns(const Noise_probes& probes,
 // larger by f than across. Seen was 0.5 and more in columns of ten points at random places, as long
 // as their standard deviation is no more than their distance. If directions are random in a plane,
 // as on a line of a scan with noise, it is more than 0.4 by chance in one of 3e4 ranges: for 64 of
-// them, exp(-64 * 0.4^2). Those on a line of a scan are parallel as well, but are in the surface:
-// their axis rises from it by a sine of 0.02 on rings of a cylinder, and with noise by up to 0.13 by
-// chance. With 0.1 or 0.3, the mean error of frames is 2 % less or 5 % larger.
+// them, exp(-64 * 0.4^2).
+//
+// Those on a line of a scan are parallel as well, but are in the surface: their axis rises from it
+// by a sine of 0.02 on rings of a cylinder, and with noise by up to 0.13 by chance. With 0.2 in the
+// place of 0.1, the mean error of frames was 4 % larger.
 template <typename ConcurrencyTag>
 std::vector<std::uint8_t> find_columns(const Noise_probes& probes,
                                        const std::vector<std::size_t>& ranges,

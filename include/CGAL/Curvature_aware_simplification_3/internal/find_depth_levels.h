@@ -9,9 +9,9 @@
 #include <CGAL/Curvature_aware_simplification_3/internal/Curve_ranges.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Depth_levels.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Layer.h>
-#include <CGAL/Curvature_aware_simplification_3/internal/Nearest_line.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Neighbor_search.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Neighborhood.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/are_on_line.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/is_between_sheets.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/loops.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/median.h>
@@ -56,7 +56,7 @@ inline Facet facet_around(const Neighbor_search& search, const Point& place)
   facet.spacing = facet.radius * std::sqrt(CGAL_PI / static_cast<double>(k));
   // On no line of a scan, nor on two: then, the few next to the place are on one.
   facet.is_broad = are_broad(radius_of_disk(lambda(1)), radius_of_disk(lambda(2))) &&
-                   !nearest_line(search, place, few).holds_them();
+                   !are_on_line(search, place, few);
   return facet;
 }
 

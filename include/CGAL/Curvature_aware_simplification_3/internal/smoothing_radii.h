@@ -27,7 +27,7 @@ namespace internal {
 
 // In balls of 4 sigma, a layer of noisy points looks flat: no fit that smooths them needs more. A
 // ball around a point off the surface holds more of the noise on its side: of 3 sigma, the point
-// keeps an eighth of its height (exp(-0.22 r^2 / sigma^2) of it, as was measured on planes). Down
+// keeps a seventh of its height (exp(-0.22 r^2 / sigma^2) of it, as was measured on planes). Down
 // to 2.5 sigma, meshes of the output are nearer to the surface where noise is strong, by 2 % in the
 // mean, but the output itself is farther from it, by up to 15 %.
 inline constexpr double largest_smoothing_radius_in_noise = 4.;

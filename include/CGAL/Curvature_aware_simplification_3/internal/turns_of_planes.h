@@ -41,7 +41,7 @@ template <typename ConcurrencyTag>
 std::vector<double> median_turns(const Noise_probes& probes, const std::vector<std::size_t>& ranges,
                                  const Neighbor_search& search, std::size_t few)
 {
-  constexpr std::size_t many = 28; // three rings
+  constexpr std::size_t many = 28; // between two rings and three
   const std::vector<double> turns = at_probes<ConcurrencyTag>(
       probes, ranges, [&](const Point& place) { return turn_of_plane(search, place, few, many); });
   std::vector<double> medians(probes.of_range.size(), 0.);
