@@ -223,9 +223,35 @@ TEST(Rounding_of_depth, is_undone_between_the_borders_of_the_steps)
   // on no level
   EXPECT_EQ(rounded_away(Point(50., 50., 7.), levels, search), 0.);
 
-  // far from all borders, nothing is known
+  // far from all borders, nothing is known, whatever the steps
   const std::vector<Point> wall = depth_frame(50, step, [](double, double) { return 0.; });
-  EXPECT_EQ(rounded_away(wall[50 * 25 + 25], levels, Neighbor_search(wall, Tag())), 0.);
+  levels.heights = {-1., 0., 3.};
+  for (const std::vector<double>& gaps : {std::vector<double>{3., 3., 0.}, {1., 3., 0.}})
+  {
+    levels.gap_above = gaps;
+    EXPECT_EQ(rounded_away(wall[50 * 25 + 25], levels, Neighbor_search(wall, Tag())), 0.);
+  }
+}
+
+// A border that is not seen is as far as the larger one of the two steps lets see.
+TEST(Rounding_of_depth, takes_borders_that_are_not_seen_for_equally_far)
+{
+  Depth_levels levels;
+  levels.direction = Vector(0., 0., 1.);
+  levels.tolerance = 1e-9;
+  levels.heights = {0., 1., 4.};
+  levels.gap_above = {1., 3., 0.};
+  // x = 0 and less at height 1, more at height 4: the nearest of these are at 1, 3 and 5
+  std::vector<Point> points;
+  for (int x = -20; x <= 20; ++x)
+    for (int y = -20; y <= 20; ++y)
+      points.emplace_back(x, y, x <= 0 ? 1. : 4.);
+  const Neighbor_search search(points, Tag());
+  const double reach = 3. * std::sqrt(2.);
+  const auto away = [&](double x) { return rounded_away(Point(x, 0., 1.), levels, search); };
+  EXPECT_NEAR(away(0.), 3. * (reach - 1.) / (2. * (reach + 1.)), 1e-12);
+  EXPECT_NEAR(away(-2.), 3. * (reach - 3.) / (2. * (reach + 3.)), 1e-12);
+  EXPECT_EQ(away(-4.), 0.);
 }
 
 // Points of two levels at the same place in their plane met halfway between these.

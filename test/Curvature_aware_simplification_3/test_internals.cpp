@@ -649,6 +649,24 @@ void expect_neighbors_as_by_brute_force(const Neighbor_search& search,
       EXPECT_EQ(found.size(), (std::min)(most + 1, expected.size()));
       EXPECT_TRUE(std::includes(expected.begin(), expected.end(), found.begin(), found.end()));
     }
+    std::size_t asked = 0, even = 0;
+    const auto is_even = [&](std::size_t i, const Point&, double)
+    {
+      ++asked;
+      even += i % 2 == 0 ? 1 : 0;
+      return i % 2 == 0;
+    };
+    const auto expected_even = static_cast<std::size_t>(
+        std::count_if(expected.begin(), expected.end(), [](std::size_t i) { return i % 2 == 0; }));
+    EXPECT_FALSE(search.are_more_within(query, radius, expected_even, is_even));
+    EXPECT_EQ(asked, expected.size());
+    EXPECT_EQ(even, expected_even);
+    if (expected_even > 0)
+    {
+      even = 0;
+      EXPECT_TRUE(search.are_more_within(query, radius, expected_even / 2, is_even));
+      EXPECT_EQ(even, expected_even / 2 + 1); // and it stops
+    }
   }
 }
 

@@ -115,17 +115,29 @@ public:
   void for_each_within(const Point& center, double radius, const Function& function,
                        std::size_t most = (std::numeric_limits<std::size_t>::max)()) const
   {
-    std::size_t left = most < m_tree.size() ? most + 1 : m_tree.size();
+    are_more_within(center, radius, most,
+                    [&](std::size_t i, const Point& p, double squared_distance)
+                    {
+      function(i, p, squared_distance);
+      return true;
+    });
+  }
+
+  // Whether more than `most` points in the closed ball pass test(index, point, squared distance),
+  // which is not asked any more once they do.
+  template <typename Test>
+  bool are_more_within(const Point& center, double radius, std::size_t most, const Test& test) const
+  {
+    std::size_t left = (std::min)(most, m_tree.size()) + 1;
     const auto visit = [&](const Point_with_index& p)
     {
-      if (is_hidden(p) || left == 0)
-        return;
-      --left;
-      function(p.second, p.first, squared_distance(center, p.first));
+      if (left > 0 && !is_hidden(p) && test(p.second, p.first, squared_distance(center, p.first)))
+        --left;
     };
     // by reference, since CGAL assigns output iterators, and a lambda cannot be assigned
     m_tree.search(boost::make_function_output_iterator(std::cref(visit)),
                   Ball{center, radius * radius, left});
+    return left == 0;
   }
 
 private:

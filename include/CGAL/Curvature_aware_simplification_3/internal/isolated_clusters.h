@@ -95,6 +95,10 @@ public:
     for (std::size_t c = 0; c < clusters.size(); ++c)
       if (is_clear[c] != 0 || are_specks)
         result.insert(result.end(), clusters[c].begin(), clusters[c].end());
+    // Of equally far points, either may be among the k nearest: then one may reach another that
+    // does not reach it, and be in two components.
+    std::sort(result.begin(), result.end());
+    result.erase(std::unique(result.begin(), result.end()), result.end());
     return result;
   }
 
@@ -214,14 +218,9 @@ private:
   // cluster has hardly any that are so far out, and each of these lets one other in.
   bool is_apart(const std::vector<std::size_t>& cluster, const Point& center, double radius) const
   {
-    std::size_t within = 0;
-    m_search.for_each_within(center, radius,
-                             [&](std::size_t j, const Point&, double)
-                             {
-      if (m_is_outlier[j] == 0)
-        ++within;
-    });
-    return within <= cluster.size();
+    return !m_search.are_more_within(center, radius, cluster.size(),
+                                     [&](std::size_t j, const Point&, double)
+                                     { return m_is_outlier[j] == 0; });
   }
 
   const Cloud& m_cloud;

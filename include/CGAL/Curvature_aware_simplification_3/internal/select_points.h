@@ -97,8 +97,6 @@ std::vector<std::size_t> select_points(const Cloud& cloud, const Features& featu
 
   std::vector<std::size_t> selected =
       indices_where<ConcurrencyTag>(state.size(), [&](std::size_t i) { return state[i] == DRAWN; });
-  std::vector<std::size_t> others =
-      indices_where<ConcurrencyTag>(state.size(), [&](std::size_t i) { return state[i] != DRAWN; });
 
   // Of a set in random order, duplicates last, the first `count` elements
   const auto choose = [&](std::vector<std::size_t>& set, std::size_t count)
@@ -114,6 +112,8 @@ std::vector<std::size_t> select_points(const Cloud& cloud, const Features& featu
     choose(selected, number_of_points);
   else if (selected.size() < number_of_points)
   {
+    std::vector<std::size_t> others = indices_where<ConcurrencyTag>(state.size(), [&](std::size_t i)
+                                                                    { return state[i] != DRAWN; });
     choose(others, number_of_points - selected.size());
     selected.insert(selected.end(), others.begin(), others.end());
   }

@@ -24,28 +24,30 @@ namespace Curvature_aware_simplification_3 {
 namespace internal {
 
 // How far from p, in the plane of the levels, the surface leaves for the next level, which is `gap`
-// above (or below, if it is negative), and how far that can be seen: of the points nearest to p +
-// 1.5 gap d, one of p's own level is 1.5 |gap| away, and one of the next is nearer if its distance
-// in the plane is less than sqrt(2) |gap|.
-inline double distance_to_next_level(const Point& p, double gap, const Depth_levels& levels,
-                                     const Neighbor_search& search)
+// above (or below, if it is negative). Of the points nearest to p + 1.5 gap d, p itself is 1.5 |gap|
+// away, and one of the next level is nearer if its distance in the plane is less than sqrt(2) |gap|.
+// If there is none, or no next level, the distance is `unseen`.
+inline double distance_to_next_level(const Point& p, double gap, double unseen,
+                                     const Depth_levels& levels, const Neighbor_search& search)
 {
-  const double reach = std::sqrt(2.) * std::abs(gap);
-  double distance = reach;
+  if (gap == 0.)
+    return unseen;
+  double distance = unseen;
   search.for_each_nearest(p + (1.5 * gap) * levels.direction, 1,
                           [&](std::size_t, const Point& q, double)
                           {
     const Vector v = q - p;
     const double height = v * levels.direction;
     if (std::abs(height) > levels.tolerance && (height > 0.) == (gap > 0.))
-      distance = (std::min)(reach, std::sqrt((std::max)(v.squared_length() - height * height, 0.)));
+      distance = std::sqrt((std::max)(v.squared_length() - height * height, 0.));
   });
   return distance;
 }
 
 // How much the depth of p was rounded down, as where the surface is a plane: between its borders
 // with the levels below and above, depth grows by one gap, and is halfway between the levels at
-// both. Where neither border is near, nothing is known, and it is 0.
+// both. A border that is not seen is taken to be as far as the larger step lets see: where neither
+// is, nothing is known, and it is 0.
 inline double rounded_away(const Point& p, const Depth_levels& levels,
                            const Neighbor_search& search)
 {
@@ -55,9 +57,9 @@ inline double rounded_away(const Point& p, const Depth_levels& levels,
   const double below = levels.gap_below(level), above = levels.gap_above[level];
   if (!(below > 0. || above > 0.))
     return 0.;
-  const double reach = std::sqrt(2.) * (std::max)(below, above);
-  const double to_below = below > 0. ? distance_to_next_level(p, -below, levels, search) : reach;
-  const double to_above = above > 0. ? distance_to_next_level(p, above, levels, search) : reach;
+  const double unseen = std::sqrt(2.) * (std::max)(below, above);
+  const double to_below = distance_to_next_level(p, -below, unseen, levels, search);
+  const double to_above = distance_to_next_level(p, above, unseen, levels, search);
   // Steps that are less than half as wide as high are taken for wider: their borders may overlap.
   const double width = (std::max)(to_below + to_above, (std::max)(below, above) / 2.);
   // Points of two levels at the same place in their plane do not meet halfway.
