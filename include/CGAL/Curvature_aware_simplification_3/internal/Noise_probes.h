@@ -29,6 +29,9 @@ struct Noise_probes
 {
   std::vector<Point> points;
   std::vector<std::vector<std::size_t>> of_range;
+
+  // The range that probe i is in; it may count for others
+  std::size_t range_around(std::size_t i) const { return i * of_range.size() / points.size(); }
 };
 
 inline std::vector<std::size_t> all_ranges(const Noise_probes& probes)
@@ -83,7 +86,7 @@ double median_of(const std::vector<std::size_t>& indices, const Value& value)
   return median(values);
 }
 
-// function(place) at the probes of some ranges; those of others are left empty
+// function(i) at the probes of some ranges; those of others are left empty
 template <typename ConcurrencyTag, typename Function>
 auto at_probes(const Noise_probes& probes, const std::vector<std::size_t>& ranges,
                const Function& function)
@@ -92,12 +95,12 @@ auto at_probes(const Noise_probes& probes, const std::vector<std::size_t>& range
   for (std::size_t range : ranges)
     for (std::size_t i : probes.of_range[range])
       is_needed[i] = 1;
-  std::vector<std::decay_t<decltype(function(probes.points[0]))>> values(probes.points.size());
+  std::vector<std::decay_t<decltype(function(std::size_t(0)))>> values(probes.points.size());
   for_each_index<ConcurrencyTag>(0, values.size(),
                                  [&](std::size_t i)
                                  {
     if (is_needed[i] != 0)
-      values[i] = function(probes.points[i]);
+      values[i] = function(i);
   });
   return values;
 }
@@ -110,7 +113,7 @@ std::vector<Layer> median_layers(const Noise_probes& probes, const std::vector<s
                                  const Layer_around& layer_around)
 {
   const std::vector<Layer> layers = at_probes<ConcurrencyTag>(
-      probes, ranges, [&](const Point& place) { return layer_around(search, place, k); });
+      probes, ranges, [&](std::size_t i) { return layer_around(search, probes.points[i], k); });
   std::vector<Layer> medians(probes.of_range.size());
   for_each_index<ConcurrencyTag>(0, ranges.size(),
                                  [&](std::size_t r)

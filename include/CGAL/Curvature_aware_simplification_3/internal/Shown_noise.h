@@ -6,6 +6,7 @@
 #ifndef CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_SHOWN_NOISE_H
 #define CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_SHOWN_NOISE_H
 
+#include <CGAL/Curvature_aware_simplification_3/internal/Computation_kernel.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Layer.h>
 
 #include <algorithm>
@@ -22,7 +23,8 @@ struct Shown_noise
   bool is_known = true; // if not, these fits tell nothing
   double level = 0.;
   double radius_of_columns = 0.; // of balls that hold several of them, or 0
-  bool is_in_columns = false;    // as points are one above the other
+  Vector axis = NULL_VECTOR;     // along which the nearest points are, if these are parallel
+  bool is_in_columns = false;    // as points are one above the other, along the axis
   bool is_steady = false;        // the same in layers of many sizes, as nothing but noise is
   bool is_reliable = true;       // if not, another kind of fits counts, whatever it tells
   double limit = std::numeric_limits<double>::infinity(); // the noise is no more than this

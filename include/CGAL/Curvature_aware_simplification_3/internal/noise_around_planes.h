@@ -45,6 +45,7 @@ std::vector<Shown_noise> noise_around_planes(const Noise_probes& probes,
   { return median_layers<ConcurrencyTag>(probes, ranges, search, number, Layer_around_plane()); };
   const std::vector<Layer> narrow = layers(k), wide = layers(2 * k);
   const std::vector<double> turns = median_turns<ConcurrencyTag>(probes, ranges, search, k);
+  std::vector<Vector> axes(ranges.size(), NULL_VECTOR);
   std::vector<std::uint8_t> in_columns(ranges.size(), 0);
   if (settings.find_columns)
   {
@@ -52,13 +53,15 @@ std::vector<Shown_noise> noise_around_planes(const Noise_probes& probes,
     std::copy_if(ranges.begin(), ranges.end(), std::back_inserter(suspects),
                  [&](std::size_t range)
                  { return turns[range] > turn_along_columns || !narrow[range].is_broad(); });
-    in_columns = find_columns<ConcurrencyTag>(probes, suspects, search);
+    axes = parallel_axes<ConcurrencyTag>(probes, suspects, search);
+    in_columns = find_columns<ConcurrencyTag>(probes, suspects, axes, search);
   }
   std::vector<Shown_noise> noise(ranges.size());
   std::vector<std::size_t> to_limit;
   for (std::size_t range : ranges)
   {
     Shown_noise& here = noise[range];
+    here.axis = axes[range];
     here.is_in_columns = in_columns[range] != 0;
     const bool stands = settings.tell_standing_fits && turns[range] > largest_turn_of_planes;
     here.is_known = !here.is_in_columns && narrow[range].is_broad() && !stands;

@@ -77,6 +77,9 @@ std::vector<Shown_noise> noise_around_quadrics(const Noise_probes& probes,
 
   std::vector<std::size_t> unknown = all_ranges(probes);
   std::vector<Noise_of_range> of_range(unknown.size());
+  std::vector<Vector> axes;
+  for (const Shown_noise& noise : around_planes)
+    axes.push_back(noise.axis);
   std::size_t k = Noise_of_range::smallest;
   std::vector<Layer> inner = layers(unknown, k / 2), narrow = layers(unknown, k);
   for (; !unknown.empty() && k <= Noise_of_range::largest && 2 * k <= search.size(); k *= 2)
@@ -87,7 +90,7 @@ std::vector<Shown_noise> noise_around_quadrics(const Noise_probes& probes,
     std::copy_if(unknown.begin(), unknown.end(), std::back_inserter(in_columns),
                  [&](std::size_t range) { return around_planes[range].is_in_columns; });
     const std::vector<Column> columns =
-        median_columns<ConcurrencyTag>(probes, in_columns, search, k);
+        median_columns<ConcurrencyTag>(probes, in_columns, axes, search, k);
     for (std::size_t range : in_columns)
       if (columns[range].is_one_of_few(k))
         of_range[range].expect_columns(columns[range].radius, 2 * k);

@@ -42,8 +42,10 @@ std::vector<double> median_turns(const Noise_probes& probes, const std::vector<s
                                  const Neighbor_search& search, std::size_t few)
 {
   constexpr std::size_t many = 28; // between two rings and three
-  const std::vector<double> turns = at_probes<ConcurrencyTag>(
-      probes, ranges, [&](const Point& place) { return turn_of_plane(search, place, few, many); });
+  const std::vector<double> turns = at_probes<ConcurrencyTag>(probes, ranges,
+                                                              [&](std::size_t i) {
+    return turn_of_plane(search, probes.points[i], few, many);
+  });
   std::vector<double> medians(probes.of_range.size(), 0.);
   for (std::size_t range : ranges)
     medians[range] = median_of(probes.of_range[range], [&](std::size_t i) { return turns[i]; });
