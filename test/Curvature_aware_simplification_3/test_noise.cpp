@@ -456,17 +456,14 @@ TEST(Columns_of_points, have_a_common_axis)
 {
   const Vector x(1., 0., 0.), y(0., 1., 0.);
   const std::vector<Vector> vectors = {x, -x, y, CGAL::NULL_VECTOR};
-  const auto vector = [&](std::size_t i) { return std::array<Vector, 1>{vectors[i]}; };
-  const Common_axis of_three = common_axis({0, 1, 2}, vector);
+  const auto vector = [&](std::size_t i) { return &vectors[i]; };
+  const Common_axis of_three = common_axis({0, 1, 2}, vector, 1);
   EXPECT_NEAR(of_three.squared_cosine, 2. / 3., 1e-12);
   EXPECT_NEAR(of_three.across, 1. / 3., 1e-12);
   EXPECT_NEAR(std::abs(of_three.axis.x()), 1., 1e-12);
-  EXPECT_NEAR(common_axis({0, 1, 2, 3}, vector).squared_cosine, 0.5, 1e-12);
-  EXPECT_EQ(common_axis({3}, vector).squared_cosine, 0.);
-  const Common_axis of_pairs = common_axis({0, 2},
-                                           [&](std::size_t i) {
-    return std::array<Vector, 2>{x, vectors[i]};
-  });
+  EXPECT_NEAR(common_axis({0, 1, 2, 3}, vector, 1).squared_cosine, 0.5, 1e-12);
+  EXPECT_EQ(common_axis({3}, vector, 1).squared_cosine, 0.);
+  const Common_axis of_pairs = common_axis({0, 1}, vector, 2); // x, -x, -x, y
   EXPECT_NEAR(of_pairs.squared_cosine, 3. / 4., 1e-12);
   EXPECT_NEAR(of_pairs.across, 1. / 4., 1e-12);
 }
@@ -474,10 +471,10 @@ TEST(Columns_of_points, have_a_common_axis)
 TEST(Columns_of_points, show_no_direction_where_there_are_no_points)
 {
   const std::vector<Point> points = {Point(0., 0., 0.), Point(0., 3., 4.)};
-  const std::array<Vector, 4> directions =
+  const std::array<Vector, directions_of_place> directions =
       directions_to_nearest(Neighbor_search(points, Tag()), points[0]);
   EXPECT_NEAR((directions[0] - Vector(0., 0.6, 0.8)).squared_length(), 0., 1e-30);
-  for (std::size_t i : {1, 2, 3})
+  for (std::size_t i = 1; i < directions.size(); ++i)
     EXPECT_EQ(directions[i], CGAL::NULL_VECTOR);
 }
 

@@ -12,7 +12,6 @@
 #include <CGAL/Curvature_aware_simplification_3/internal/parallel_axes.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -102,9 +101,9 @@ median_columns(const Noise_probes& probes, const std::vector<std::size_t>& range
 // by a sine of 0.02 on rings of a cylinder, and with noise by up to 0.13 by chance. With 0.2 in the
 // place of 0.1, the mean error of frames was 4 % larger.
 //
-// Where a range is so wide that it bends, as if the points are few, that is no test. But then it is
-// by chance that lines look like columns: up to 0.4 of the ranges did, and of frames, unless they
-// scatter as far as they can, 0.5 to 0.9.
+// Where the points are few, a range is so wide that it bends, and lines may rise from its normal by
+// chance: they did in up to 0.4 of the ranges. Of frames, 0.5 to 0.9 rise, unless their points
+// scatter so far that columns hardly show.
 template <typename ConcurrencyTag>
 std::vector<std::uint8_t>
 find_columns(const Noise_probes& probes, const std::vector<std::size_t>& ranges,
@@ -116,14 +115,14 @@ find_columns(const Noise_probes& probes, const std::vector<std::size_t>& ranges,
                [&](std::size_t range) { return axes[range] != NULL_VECTOR; });
   const std::vector<Column> columns =
       median_columns<ConcurrencyTag>(probes, suspects, axes, search, least_columns);
-  const auto normals = at_probes<ConcurrencyTag>(probes, suspects,
-                                                 [&](std::size_t i) {
-    return std::array<Vector, 1>{normal_around_column(search, probes.points[i])};
+  const std::vector<Vector> normals = at_probes<ConcurrencyTag>(probes, suspects,
+                                                                [&](std::size_t i) {
+    return normal_around_column(search, probes.points[i]);
   });
   const auto are_columns = [&](std::size_t range)
   {
-    const Common_axis normal =
-        common_axis(probes.of_range[range], [&](std::size_t i) { return normals[i]; });
+    const Common_axis normal = common_axis(
+        probes.of_range[range], [&](std::size_t i) { return &normals[i]; }, 1);
     const bool show_surface = normal.squared_cosine > 0.;
     return show_surface && std::abs(normal.axis * axes[range]) > steep && columns[range].is_one();
   };
