@@ -10,6 +10,7 @@
 #include <CGAL/Curvature_aware_simplification_3/internal/Neighborhood.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Noise_probes.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/parallel_axes.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/principal_axes.h>
 
 #include <algorithm>
 #include <cmath>
@@ -54,9 +55,10 @@ struct Column
   }
 };
 
-// The column along an axis. Its points may scatter across it by a part of the radius of 68 points,
-// of which 1 in 180 is so near to an axis through a plane by chance. With the points of a cone of 0.1
-// around the direction of the nearest instead, columns with a hundredth of that scatter were missed.
+// The column along an axis; without an axis, none of the points is known to be in it. They may
+// scatter across it by a part of the radius of 68 points, of which 1 in 180 is so near to an axis by
+// chance, if the surface is across it. With the points of a cone of 0.1 around the direction of the
+// nearest instead, columns with a hundredth of that scatter were missed.
 inline Column column_at(const Neighbor_search& search, const Point& place, const Vector& axis,
                         std::size_t k)
 {
@@ -64,27 +66,26 @@ inline Column column_at(const Neighbor_search& search, const Point& place, const
   const double squared_scatter =
       part * part * search.squared_distance_of_nearest(place, 2 * least_columns);
   std::size_t points = 0;
-  search.for_each_nearest(place, k,
-                          [&](std::size_t, const Point& p, double)
-                          {
-    const double squared_distance = CGAL::cross_product(p - place, axis).squared_length();
-    points += squared_distance <= squared_scatter ? 1 : 0;
-  });
+  if (axis != NULL_VECTOR)
+    search.for_each_nearest(place, k,
+                            [&](std::size_t, const Point& p, double)
+                            {
+      const double squared_distance = CGAL::cross_product(p - place, axis).squared_length();
+      points += squared_distance <= squared_scatter ? 1 : 0;
+    });
   return {static_cast<double>(points), std::sqrt(search.squared_distance_of_nearest(place, 2 * k))};
 }
 
-// The medians of these, of some ranges; those of others are left empty, and so are columns at
-// probes whose own range has no axis.
+// The medians of these, of some ranges; those of others are left empty. At a probe, the axis is that
+// of its own range, along which the scanner looked there.
 template <typename ConcurrencyTag>
 std::vector<Column>
 median_columns(const Noise_probes& probes, const std::vector<std::size_t>& ranges,
                const std::vector<Vector>& axes, const Neighbor_search& search, std::size_t k)
 {
   const std::vector<Column> columns = at_probes<ConcurrencyTag>(probes, ranges,
-                                                                [&](std::size_t i)
-                                                                {
-    const Vector& axis = axes[probes.range_around(i)];
-    return axis == NULL_VECTOR ? Column() : column_at(search, probes.points[i], axis, k);
+                                                                [&](std::size_t i) {
+    return column_at(search, probes.points[i], axes[probes.range_around(i)], k);
   });
   std::vector<Column> medians(probes.of_range.size());
   for (std::size_t range : ranges)
@@ -98,12 +99,12 @@ median_columns(const Noise_probes& probes, const std::vector<std::size_t>& range
 // measured the same directions again and again: 1 for each of them.
 //
 // Those on a line of a scan are parallel as well, but are in the surface: their axis rises from it
-// by a sine of 0.02 on rings of a cylinder, and with noise by up to 0.13 by chance. With 0.2 in the
-// place of 0.1, the mean error of frames was 4 % larger.
+// by a sine of 0.02 on rings of a cylinder, and with noise by up to 0.13 by chance. With 0.2, the
+// mean error of frames was 4 % larger than with 0.1.
 //
 // Where the points are few, a range is so wide that it bends, and lines may rise from its normal by
 // chance: they did in up to 0.4 of the ranges. Of frames, 0.5 to 0.9 rise, unless their points
-// scatter so far that columns hardly show.
+// scatter so far that columns hardly show. So none is taken for columns if these are too few.
 template <typename ConcurrencyTag>
 std::vector<std::uint8_t>
 find_columns(const Noise_probes& probes, const std::vector<std::size_t>& ranges,

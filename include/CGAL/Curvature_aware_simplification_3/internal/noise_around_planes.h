@@ -13,6 +13,7 @@
 #include <CGAL/Curvature_aware_simplification_3/internal/Shown_noise.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/columns_of_points.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/limits_of_noise.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/parallel_axes.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/turns_of_planes.h>
 
 #include <algorithm>

@@ -22,7 +22,7 @@ namespace CGAL {
 namespace Curvature_aware_simplification_3 {
 namespace internal {
 
-// So many points are in a column of five besides any of its own.
+// As many as a column of five holds besides any one of its points
 inline constexpr std::size_t directions_of_place = 4;
 
 // The directions from one of the points to its nearest, from the nearest on; null where there are no

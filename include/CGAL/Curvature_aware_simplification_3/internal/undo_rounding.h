@@ -39,7 +39,8 @@ inline double distance_to_next_level(const Point& p, double gap, double unseen,
     const Vector v = q - p;
     const double height = v * levels.direction;
     if (std::abs(height) > levels.tolerance && (height > 0.) == (gap > 0.))
-      distance = std::sqrt((std::max)(v.squared_length() - height * height, 0.));
+      distance =
+          (std::min)(unseen, std::sqrt((std::max)(v.squared_length() - height * height, 0.)));
   });
   return distance;
 }
