@@ -566,7 +566,7 @@ TEST(Noise_level, sees_no_columns_elsewhere)
     plate.emplace_back(x, y, i % 2 == 0 ? 0. : 1.5);
     lines.emplace_back(i % 50, random.uniform_real(0., 50.), 0.);
   }
-  // lines 35 times as far apart as their points, with noise along a direction: in a fifth of the
+  // lines 6 times as far apart as their points, with noise along a direction: in a fifth of the
   // ranges, which are so wide that they bend, these look like columns
   std::vector<Point> coarse_lines;
   for (const Point& p : surfaces::torus(100000, 3., 1., 49))

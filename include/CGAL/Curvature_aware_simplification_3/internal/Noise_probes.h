@@ -31,7 +31,10 @@ struct Noise_probes
   std::vector<std::vector<std::size_t>> of_range;
 
   // The range that probe i is in; it may count for others
-  std::size_t range_around(std::size_t i) const { return i * of_range.size() / points.size(); }
+  std::size_t range_around(std::size_t i) const
+  {
+    return Curve_ranges{of_range.size(), points.size()}.range_of(i);
+  }
 };
 
 inline std::vector<std::size_t> all_ranges(const Noise_probes& probes)
