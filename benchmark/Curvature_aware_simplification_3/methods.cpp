@@ -238,6 +238,8 @@ Setting with_parameters(const std::string& parameters)
   set("reach_of_repulsion", settings.reach_of_repulsion);
   set("smooth_points", settings.smooth_points);
   set("thin_dense_noise", settings.thin_dense_noise);
+  set("correct_bias_of_noise", settings.correct_bias_of_noise);
+  set("smooth_around_foot_points", settings.smooth_around_foot_points);
   set("smooth_by_shape", settings.smooth_by_shape);
   set("residuals_explained_by_noise", settings.residuals_explained_by_noise);
   set("weight_of_height", settings.weight_of_height);

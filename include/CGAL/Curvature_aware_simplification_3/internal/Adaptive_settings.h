@@ -59,6 +59,8 @@ struct Adaptive_settings
   bool thin_dense_noise = true;
   // With noise, points are first smoothed one by one.
   bool smooth_points = true;
+  // They are so by points around their foot points, and not around themselves.
+  bool smooth_around_foot_points = true;
   // They are so in balls as wide as the shape allows, as it is seen around places of each range.
   bool smooth_by_shape = true;
   // Residuals of up to so many times the variance of the noise are taken for noise. More are shape,
@@ -123,6 +125,8 @@ struct Adaptive_settings
   // errors of most shapes are 1 to 3 % larger and p99 2 to 4 %, those of smooth parts 2 to 5 %
   // smaller.
   double missed_shape = 0.547;
+  // What noise along a bent surface moves fits to its inside is taken away.
+  bool correct_bias_of_noise = true;
   // Noisy samples are pushed apart once more, after they have been put on the surface.
   bool even_out = true;
   // Without outliers, points of the input are on the surface but for noise, and correct fits that

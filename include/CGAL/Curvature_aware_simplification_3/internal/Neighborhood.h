@@ -100,6 +100,19 @@ struct Neighborhood
     neighbors.resize(number);
   }
 
+  // An even part of the neighbors, if there are more than `most`. A search hands on what is in one
+  // leaf of its tree after the other, so that every m-th is from all of the ball.
+  void thin(std::size_t most)
+  {
+    if (neighbors.size() <= most)
+      return;
+    const std::size_t step = (neighbors.size() + most - 1) / most;
+    std::size_t number = 0;
+    for (std::size_t i = 0; i < neighbors.size(); i += step)
+      neighbors[number++] = neighbors[i];
+    neighbors.resize(number);
+  }
+
   std::size_t size() const { return neighbors.size(); }
 
   // Whether the neighbors are along a curve, however it bends: half of those are in the inner half

@@ -31,6 +31,7 @@ struct Noise
   // Before the smoothing, at the distance of the samples: only then is it worth time to reduce it.
   bool is_visible = false;
   double visible_error = 0.;    // of a fit, above which it is visible there
+  double input_level = 0.;      // its standard deviation
   double smoothing_radius = 0.; // of the ball in which a point is smoothed
 };
 
@@ -111,6 +112,7 @@ struct Noise_levels
     for (Noise& noise : of_range)
     {
       noise.is_visible = noise.level / 2. > error;
+      noise.input_level = noise.level;
       noise.visible_error = error;
     }
   }

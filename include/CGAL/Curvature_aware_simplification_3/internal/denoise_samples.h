@@ -9,6 +9,7 @@
 #include <CGAL/Curvature_aware_simplification_3/internal/Fit_difference.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Progress.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Surface_sample.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/bias_of_noise.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/fits_of_all_sizes.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/loops.h>
 
@@ -41,6 +42,8 @@ inline double part_of_step(const Fit_difference& steps, double missed_shape)
 
 // Moves each sample as far towards wider fits as noise explains that these differ:
 //   z = z_0 + sum_m w_m (z_m+1 - z_m).
+// What all these fits are off by the noise along the surface is taken away, with the mean curvature
+// in the same parts.
 // One difference tells little, so the mean square is over the sample and its 32 nearest, where
 // shape is similar.
 template <typename ConcurrencyTag>
@@ -77,9 +80,15 @@ void denoise_samples(std::vector<Surface_sample>& samples, const Surface_fit& fi
     });
     Point& result = samples[i].point;
     result = points[i];
+    Vector curvature = fits[i].curvature;
     for (std::size_t m = 0; m < steps; ++m)
-      result = result +
-               part_of_step(differences[m], fit.settings.missed_shape) * fits[i].widenings[m].shift;
+    {
+      const double part = part_of_step(differences[m], fit.settings.missed_shape);
+      result = result + part * fits[i].widenings[m].shift;
+      curvature = curvature + part * fits[i].widenings[m].curvature;
+    }
+    if (fit.settings.correct_bias_of_noise)
+      result = result - bias_of_noise(*samples[i].noise, curvature);
   });
 }
 

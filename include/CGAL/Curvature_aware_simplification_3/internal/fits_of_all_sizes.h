@@ -8,6 +8,7 @@
 
 #include <CGAL/Curvature_aware_simplification_3/internal/Surface_fit.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Surface_sample.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/bias_of_noise.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/fit_local_surface.h>
 
 #include <algorithm>
@@ -60,8 +61,9 @@ inline bool widen(const Surface_fit& fit, const Neighborhood& wide, double radiu
 // What the next wider fit changes
 struct Widening
 {
-  Vector shift;    // of the sample
-  double variance; // of the length of the shift, if noise alone causes it
+  Vector shift;     // of the sample
+  double variance;  // of the length of the shift, if noise alone causes it
+  Vector curvature; // the change of the mean curvature
 };
 
 // The narrowest fit, which is the surface of the sample, and what fits with 2, 4, ... times its
@@ -69,6 +71,7 @@ struct Widening
 struct Fits_of_all_sizes
 {
   Point point;
+  Vector curvature; // mean curvature
   std::vector<Widening> widenings;
 };
 
@@ -78,7 +81,7 @@ inline Fits_of_all_sizes fits_of_all_sizes(const Surface_fit& fit, const Surface
   Local_surface surface = x.surface;
   if (x.a != 0. || x.b != 0.) // back from a border
     surface = fit_local_surface(fit, x.point, x.normal(), surface, rounds_to_stay, neighborhood);
-  Fits_of_all_sizes fits{surface.origin, {}};
+  Fits_of_all_sizes fits{surface.origin, mean_curvature(surface), {}};
   if (!(surface.radius > 0.))
     return fits;
   // Balls of twice the area, and so on. All are in the largest, which is searched once, but for the
@@ -108,7 +111,8 @@ inline Fits_of_all_sizes fits_of_all_sizes(const Surface_fit& fit, const Surface
     if (!widen(fit, wide, radius, neighborhood, surface))
       break;
     widenings.push_back({((surface.origin - narrow.origin) * surface.n) * surface.n,
-                         narrow.error * narrow.error - surface.error * surface.error});
+                         narrow.error * narrow.error - surface.error * surface.error,
+                         mean_curvature(surface) - mean_curvature(narrow)});
   }
   fits.widenings.assign(widenings.begin(), widenings.end()); // all samples have theirs at once
   return fits;

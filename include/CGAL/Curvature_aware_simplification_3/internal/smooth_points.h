@@ -33,14 +33,16 @@ struct Smoothed_point
 };
 
 // Variance of the heights of the neighbors over the surface that was fitted to them: noise, and
-// shape that it missed. The center does not count: it may be a point that is far off, and such are
+// shape that it missed. The point x that is smoothed does not count: it may be far off, and such are
 // to be moved.
-inline double variance_of_residuals(const Neighborhood& neighborhood, const Local_surface& surface)
+inline double variance_of_residuals(const Neighborhood& neighborhood, const Local_surface& surface,
+                                    const Point& x)
 {
+  const Vector own_position = x - neighborhood.center;
   double sum = 0., sum_of_squares = 0., sum_of_residuals = 0.;
   for (const Neighborhood::Neighbor& neighbor : neighborhood.neighbors)
   {
-    if (neighbor.squared_distance == 0.)
+    if (neighbor.position == own_position)
       continue;
     const double residual = surface.residual(neighbor.position);
     sum += neighbor.weight;
@@ -65,32 +67,51 @@ inline double share_explained_by_noise(const Surface_fit& fit, double residual_v
   return residual_variance > explained ? explained / residual_variance : 1.;
 }
 
+// The quadric through the points in the ball that smooths one, around x or its foot point. Returns
+// whether it tells more of x than x itself.
+inline bool fit_to_smooth(const Surface_fit& fit, const Point& center, const Point& x,
+                          double inverse_density, Neighborhood& neighborhood,
+                          Local_surface& surface)
+{
+  const double radius = fit.noise.smoothing_radius;
+  const double expected_neighbors =
+      (std::min)(radius * radius / inverse_density, too_many_neighbors);
+  collect_neighbors(fit, center, smoothing_neighborhood, radius,
+                    static_cast<std::size_t>(expected_neighbors), neighborhood);
+  if (!(neighborhood.radius > 0.))
+    return false;
+  // The center is or was a noisy point itself: were the weights to fall within a few sigma, points
+  // with the same error would count most, and confirm it. Where noise is small against the distances
+  // of the points, they fall as in other fits.
+  neighborhood.weight_by_distance((std::max)(neighborhood.radius, 2. * radius));
+  if (!fit_quadric_over_plane(neighborhood, fit.noise.level, surface) ||
+      !(surface.error < fit.noise.level))
+    return false;
+  // further than that, noise hardly carries a point: it is on another sheet, or the fit is wrong
+  const double farthest = 4. * fit.noise.level;
+  return std::sqrt(squared_distance(center, x)) + std::abs(surface.c[0]) <= farthest;
+}
+
 // x moved to the foot point on the quadric through its neighbors, as far as noise explains; x
 // itself where its noise is not visible, or they tell nothing of it
 inline Smoothed_point smooth_point(const Surface_fit& fit, const Point& x, double inverse_density)
 {
   static thread_local Neighborhood neighborhood;
   const Smoothed_point unchanged{x, fit.noise.level * fit.noise.level};
-  if (!fit.noise.is_visible)
-    return unchanged;
-  const double radius = fit.noise.smoothing_radius;
-  const double expected_neighbors =
-      (std::min)(radius * radius / inverse_density, too_many_neighbors);
-  collect_neighbors(fit, x, smoothing_neighborhood, radius,
-                    static_cast<std::size_t>(expected_neighbors), neighborhood);
-  if (!(neighborhood.radius > 0.))
-    return unchanged;
-  // The center is a noisy point itself: were the weights to fall within a few sigma, points with
-  // the same error would count most, and confirm it. Where noise is small against the distances of
-  // the points, they fall as in other fits.
-  neighborhood.weight_by_distance((std::max)(neighborhood.radius, 2. * radius));
   Local_surface surface;
-  // further than that, noise hardly carries a point: it is on another sheet, or the fit is wrong
-  const double farthest = 4. * fit.noise.level;
-  if (!fit_quadric_over_plane(neighborhood, fit.noise.level, surface) ||
-      !(surface.error < fit.noise.level) || !(std::abs(surface.c[0]) <= farthest))
+  if (!fit.noise.is_visible || !fit_to_smooth(fit, x, x, inverse_density, neighborhood, surface))
     return unchanged;
-  const double share = share_explained_by_noise(fit, variance_of_residuals(neighborhood, surface));
+  // A ball around a point off the surface holds more of the noise on its side, and the foot point is
+  // there as well: so it is moved to the foot point.
+  if (fit.settings.smooth_around_foot_points)
+  {
+    surface.move_to_foot_point();
+    const Point foot = surface.origin;
+    if (!fit_to_smooth(fit, foot, x, inverse_density, neighborhood, surface))
+      return unchanged;
+  }
+  const double share =
+      share_explained_by_noise(fit, variance_of_residuals(neighborhood, surface, x));
   const double variance = share * surface.error * surface.error + (1. - share) * unchanged.variance;
   surface.move_to_foot_point();
   return {x + share * (surface.origin - x), variance};
