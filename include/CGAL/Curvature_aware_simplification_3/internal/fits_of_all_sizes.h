@@ -63,7 +63,7 @@ struct Widening
 {
   Vector shift;     // of the sample
   double variance;  // of the length of the shift, if noise alone causes it
-  Vector curvature; // the change of the mean curvature
+  Vector curvature; // the change of the mean curvature, where it is known
 };
 
 // The narrowest fit, which is the surface of the sample, and what fits with 2, 4, ... times its
@@ -71,7 +71,7 @@ struct Widening
 struct Fits_of_all_sizes
 {
   Point point;
-  Vector curvature; // mean curvature
+  Vector curvature; // mean curvature, of the first fit that knows it
   std::vector<Widening> widenings;
 };
 
@@ -110,9 +110,17 @@ inline Fits_of_all_sizes fits_of_all_sizes(const Surface_fit& fit, const Surface
     const Local_surface narrow = surface;
     if (!widen(fit, wide, radius, neighborhood, surface))
       break;
+    const Vector curvature = mean_curvature(surface);
+    Vector change = curvature - mean_curvature(narrow);
+    // A fit that is narrower than the balls that smoothed the points bends with what these have
+    // left: at that scale, nothing is known of the surface.
+    if (narrow.radius < fit.noise.smoothing_radius)
+    {
+      fits.curvature = curvature;
+      change = NULL_VECTOR;
+    }
     widenings.push_back({((surface.origin - narrow.origin) * surface.n) * surface.n,
-                         narrow.error * narrow.error - surface.error * surface.error,
-                         mean_curvature(surface) - mean_curvature(narrow)});
+                         narrow.error * narrow.error - surface.error * surface.error, change});
   }
   fits.widenings.assign(widenings.begin(), widenings.end()); // all samples have theirs at once
   return fits;

@@ -101,9 +101,13 @@ inline Smoothed_point smooth_point(const Surface_fit& fit, const Point& x, doubl
   Local_surface surface;
   if (!fit.noise.is_visible || !fit_to_smooth(fit, x, x, inverse_density, neighborhood, surface))
     return unchanged;
-  // A ball around a point off the surface holds more of the noise on its side, and the foot point is
-  // there as well: so it is moved to the foot point.
-  if (fit.settings.smooth_around_foot_points)
+  // A ball around a point off the surface holds more of the noise on its side, and so is the foot
+  // point: the ball is moved there. In one of more than 6 sigma, there is all of the noise anyway.
+  // With 4, samples are up to 7 % farther off where noise is along rays; with any size, light noise
+  // takes 11 % more time for the same errors.
+  constexpr double widest_to_move = 6.;
+  if (fit.settings.smooth_around_foot_points &&
+      neighborhood.radius <= widest_to_move * fit.noise.level)
   {
     surface.move_to_foot_point();
     const Point foot = surface.origin;
