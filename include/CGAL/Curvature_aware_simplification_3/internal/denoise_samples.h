@@ -80,7 +80,7 @@ void denoise_samples(std::vector<Surface_sample>& samples, const Surface_fit& fi
     });
     Point& result = samples[i].point;
     result = points[i];
-    Vector curvature = fits[i].curvature;
+    double curvature = fits[i].curvature;
     for (std::size_t m = 0; m < steps; ++m)
     {
       const double part = part_of_step(differences[m], fit.settings.missed_shape);
@@ -88,7 +88,7 @@ void denoise_samples(std::vector<Surface_sample>& samples, const Surface_fit& fi
       curvature = curvature + part * fits[i].widenings[m].curvature;
     }
     if (fit.settings.correct_bias_of_noise)
-      result = result - bias_of_noise(*samples[i].noise, curvature);
+      result = result - bias_of_noise(*samples[i].noise, curvature) * fits[i].normal;
   });
 }
 

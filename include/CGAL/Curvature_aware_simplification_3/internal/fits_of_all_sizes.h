@@ -63,7 +63,7 @@ struct Widening
 {
   Vector shift;     // of the sample
   double variance;  // of the length of the shift, if noise alone causes it
-  Vector curvature; // the change of the mean curvature, where it is known
+  double curvature; // the change of the mean curvature, where it is known
 };
 
 // The narrowest fit, which is the surface of the sample, and what fits with 2, 4, ... times its
@@ -71,7 +71,8 @@ struct Widening
 struct Fits_of_all_sizes
 {
   Point point;
-  Vector curvature; // mean curvature, of the first fit that knows it
+  Vector normal;    // of the first fit that knows the curvature
+  double curvature; // mean curvature, of that
   std::vector<Widening> widenings;
 };
 
@@ -81,7 +82,7 @@ inline Fits_of_all_sizes fits_of_all_sizes(const Surface_fit& fit, const Surface
   Local_surface surface = x.surface;
   if (x.a != 0. || x.b != 0.) // back from a border
     surface = fit_local_surface(fit, x.point, x.normal(), surface, rounds_to_stay, neighborhood);
-  Fits_of_all_sizes fits{surface.origin, mean_curvature(surface), {}};
+  Fits_of_all_sizes fits{surface.origin, surface.n, mean_curvature(surface), {}};
   if (!(surface.radius > 0.))
     return fits;
   // Balls of twice the area, and so on. All are in the largest, which is searched once, but for the
@@ -110,14 +111,15 @@ inline Fits_of_all_sizes fits_of_all_sizes(const Surface_fit& fit, const Surface
     const Local_surface narrow = surface;
     if (!widen(fit, wide, radius, neighborhood, surface))
       break;
-    const Vector curvature = mean_curvature(surface);
-    Vector change = curvature - mean_curvature(narrow);
+    const double curvature = mean_curvature(surface);
+    double change = curvature - mean_curvature(narrow);
     // A fit that is narrower than the balls that smoothed the points bends with what these have
     // left: at that scale, nothing is known of the surface.
     if (narrow.radius < fit.noise.smoothing_radius)
     {
       fits.curvature = curvature;
-      change = NULL_VECTOR;
+      fits.normal = surface.n;
+      change = 0.;
     }
     widenings.push_back({((surface.origin - narrow.origin) * surface.n) * surface.n,
                          narrow.error * narrow.error - surface.error * surface.error, change});
