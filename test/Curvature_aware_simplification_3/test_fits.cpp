@@ -381,6 +381,26 @@ TEST(Fit, that_leaves_its_ball_is_none)
   EXPECT_EQ(unchanged.c[0], 0.);
 }
 
+// In a disk, the mean square of the distances to the center is R^2 / 2, and of the nearest third of
+// the points a third of that.
+TEST(Neighborhood, is_thinned_evenly)
+{
+  const std::vector<Point> points = patch(20000, 11, [](double, double) { return 0.; });
+  const Neighbor_search search(points, Tag());
+  Neighborhood neighborhood;
+  neighborhood.collect_within(search, Point(0., 0., 0.), 0.4);
+  const std::size_t all = neighborhood.size();
+  neighborhood.thin(all);
+  EXPECT_EQ(neighborhood.size(), all);
+  neighborhood.thin(all / 3);
+  EXPECT_LE(neighborhood.size(), all / 3);
+  EXPECT_GE(neighborhood.size(), all / 4);
+  double sum = 0.;
+  for (const Neighborhood::Neighbor& neighbor : neighborhood.neighbors)
+    sum += neighbor.squared_distance;
+  EXPECT_NEAR(sum / static_cast<double>(neighborhood.size()), 0.08, 0.004);
+}
+
 TEST(Neighborhood, in_a_ball_agrees_with_brute_force)
 {
   const std::vector<Point> points = patch(500, 11, [](double x, double y) { return x * y; });

@@ -125,7 +125,7 @@ struct Adaptive_settings
   // errors of most shapes are 1 to 3 % larger and p99 2 to 4 %, those of smooth parts 2 to 5 %
   // smaller.
   double missed_shape = 0.547;
-  // What noise along a bent surface moves fits to its inside is taken away.
+  // Noise along a bent surface puts fits inside of it: samples are moved back by that.
   bool correct_bias_of_noise = true;
   // Noisy samples are pushed apart once more, after they have been put on the surface.
   bool even_out = true;

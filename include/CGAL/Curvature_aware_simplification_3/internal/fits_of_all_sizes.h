@@ -71,8 +71,9 @@ struct Widening
 struct Fits_of_all_sizes
 {
   Point point;
-  Vector normal;    // of the first fit that knows the curvature
-  double curvature; // mean curvature, of that
+  // The normal and the mean curvature of the first fit that knows it, or else the widest
+  Vector normal;
+  double curvature;
   std::vector<Widening> widenings;
 };
 
