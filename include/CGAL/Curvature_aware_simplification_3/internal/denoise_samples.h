@@ -58,10 +58,8 @@ void denoise_samples(std::vector<Surface_sample>& samples, const Surface_fit& fi
                                  [&](std::size_t i)
                                  {
     const Surface_sample& x = samples[i];
-    if (x.noise->is_visible)
-      fits[i] = fits_of_all_sizes(fit.with(*x.noise), x);
-    else
-      fits[i].point = x.point;
+    fits[i] = x.noise->is_visible ? fits_of_all_sizes(fit.with(*x.noise), x)
+                                  : Fits_of_all_sizes{x.point, x.normal(), 0., {}};
     points[i] = fits[i].point;
   });
 
@@ -76,19 +74,19 @@ void denoise_samples(std::vector<Surface_sample>& samples, const Surface_fit& fi
                             {
       const std::vector<Widening>& other = fits[j].widenings;
       for (std::size_t m = 0; m < (std::min)(steps, other.size()); ++m)
-        differences[m].add({other[m].shift.squared_length(), other[m].variance});
+        differences[m].add({other[m].shift * other[m].shift, other[m].variance});
     });
-    Point& result = samples[i].point;
-    result = points[i];
+    double height = 0.; // above the narrowest fit
     double curvature = fits[i].curvature;
     for (std::size_t m = 0; m < steps; ++m)
     {
       const double part = part_of_step(differences[m], fit.settings.missed_shape);
-      result = result + part * fits[i].widenings[m].shift;
-      curvature = curvature + part * fits[i].widenings[m].curvature;
+      height += part * fits[i].widenings[m].shift;
+      curvature += part * fits[i].widenings[m].curvature;
     }
     if (fit.settings.correct_bias_of_noise)
-      result = result - bias_of_noise(*samples[i].noise, curvature) * fits[i].normal;
+      height -= bias_of_noise(*samples[i].noise, curvature);
+    samples[i].point = points[i] + height * fits[i].normal;
   });
 }
 

@@ -61,8 +61,8 @@ inline bool widen(const Surface_fit& fit, const Neighborhood& wide, double radiu
 // What the next wider fit changes
 struct Widening
 {
-  Vector shift;     // of the sample
-  double variance;  // of the length of the shift, if noise alone causes it
+  double shift;     // of the sample along the normal
+  double variance;  // of the shift, if noise alone causes it
   double curvature; // the change of the mean curvature, where it is known
 };
 
@@ -122,7 +122,7 @@ inline Fits_of_all_sizes fits_of_all_sizes(const Surface_fit& fit, const Surface
       fits.normal = surface.n;
       change = 0.;
     }
-    widenings.push_back({((surface.origin - narrow.origin) * surface.n) * surface.n,
+    widenings.push_back({(surface.origin - narrow.origin) * surface.n,
                          narrow.error * narrow.error - surface.error * surface.error, change});
   }
   fits.widenings.assign(widenings.begin(), widenings.end()); // all samples have theirs at once
