@@ -60,29 +60,25 @@ int main(int argc, char* argv[])
   const double paper_radius = 4. * diagonal / std::sqrt(size);
   const double percentage = 100. * (static_cast<double>(n) + 0.5) / size;
 
-  const auto ours = [n](const auto& parameters)
-  {
-    return [n, parameters](const std::vector<Point>& input)
-    {
+  const auto ours = [n](const auto& parameters) {
+    return [n, parameters](const std::vector<Point>& input) {
       std::vector<Point> output;
       CGAL::curvature_aware_simplify_point_set<Tag>(input, std::back_inserter(output),
                                                     parameters.number_of_output_points(n));
       return output;
-        };
+    };
   };
-  const auto wlop = [percentage](const auto& parameters)
-  {
+  const auto wlop = [percentage](const auto& parameters) {
     return [percentage, parameters](std::vector<Point> input) // it shuffles its input
     {
       std::vector<Point> output;
       CGAL::wlop_simplify_and_regularize_point_set<Tag>(input, std::back_inserter(output),
                                                         parameters.select_percentage(percentage));
       return output;
-        };
+    };
   };
   // the unit of time: it returns no points
-  const auto pca = [](const std::vector<Point>& input)
-  {
+  const auto pca = [](const std::vector<Point>& input) {
     std::vector<std::pair<Point, Kernel::Vector_3>> points_with_normals;
     for (const Point& p : input)
       points_with_normals.emplace_back(p, CGAL::NULL_VECTOR);
@@ -123,8 +119,7 @@ int main(int argc, char* argv[])
       sum += distance;
       largest = std::max(largest, distance);
     }
-    const auto median = [](std::vector<double> values)
-    {
+    const auto median = [](std::vector<double> values) {
       std::sort(values.begin(), values.end());
       return values[values.size() / 2];
     };

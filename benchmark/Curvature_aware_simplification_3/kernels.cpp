@@ -111,9 +111,7 @@ void tree_building(benchmark::State& state)
 
 void features(benchmark::State& state)
 {
-  measure(state,
-          [](Stages& s)
-          {
+  measure(state, [](Stages& s) {
     benchmark::DoNotOptimize(
         compute_features<Tag, Diagonalize_traits>(s.cloud, s.search, 16, Progress(no_callback)));
   });
@@ -121,9 +119,7 @@ void features(benchmark::State& state)
 
 void shared_features(benchmark::State& state)
 {
-  measure(state,
-          [](Stages& s)
-          {
+  measure(state, [](Stages& s) {
     benchmark::DoNotOptimize(compute_shared_features<Tag, Diagonalize_traits>(
         s.cloud, s.search, 16, Progress(no_callback)));
   });
@@ -131,15 +127,14 @@ void shared_features(benchmark::State& state)
 
 void selection(benchmark::State& state)
 {
-  measure(state, [](Stages& s)
-          { benchmark::DoNotOptimize(select_points<Tag>(s.cloud, s.features, s.parameters)); });
+  measure(state, [](Stages& s) {
+    benchmark::DoNotOptimize(select_points<Tag>(s.cloud, s.features, s.parameters));
+  });
 }
 
 void one_relaxation_step(benchmark::State& state)
 {
-  measure(state,
-          [](Stages& s)
-          {
+  measure(state, [](Stages& s) {
     benchmark::DoNotOptimize(relax_repeatedly<Tag, Diagonalize_traits>(
         s.samples, s.cloud, s.search, s.features, s.radius, s.parameters, Progress(no_callback)));
   });
@@ -147,9 +142,7 @@ void one_relaxation_step(benchmark::State& state)
 
 void sampling_density(benchmark::State& state)
 {
-  measure(state,
-          [](Stages& s)
-          {
+  measure(state, [](Stages& s) {
     benchmark::DoNotOptimize(
         CGAL::Curvature_aware_simplification_3::internal::sampling_density<Tag>(
             s.scan, s.samples.size(), 2. / 3., Adaptive_settings(), Progress(no_callback)));
@@ -159,13 +152,9 @@ void sampling_density(benchmark::State& state)
 // fits the local surface of each sample and puts the sample on it
 void projection(benchmark::State& state)
 {
-  measure(state,
-          [](Stages& s)
-          {
+  measure(state, [](Stages& s) {
     s.surface_samples.assign(s.samples.size(), Surface_sample());
-    for_each_index<Tag>(0, s.samples.size(),
-                        [&](std::size_t i)
-                        {
+    for_each_index<Tag>(0, s.samples.size(), [&](std::size_t i) {
       s.surface_samples[i].spacing = s.radius / radius_in_spacings;
       s.surface_samples[i].place(s.fit, s.samples[i], CGAL::NULL_VECTOR, rounds_to_stay);
     });
@@ -174,9 +163,7 @@ void projection(benchmark::State& state)
 
 void one_adaptive_relaxation_step(benchmark::State& state)
 {
-  measure(state,
-          [](Stages& s)
-          {
+  measure(state, [](Stages& s) {
     std::vector<Surface_sample> samples = s.surface_samples;
     relax_on_surface<Tag>(samples, s.fit, 1, 0.45, Progress(no_callback));
     benchmark::DoNotOptimize(samples);
@@ -187,9 +174,7 @@ void one_adaptive_relaxation_step(benchmark::State& state)
 void cgal_pca_estimate_normals(benchmark::State& state)
 {
   using Element = std::pair<Point, Vector>;
-  measure(state,
-          [](Stages& s)
-          {
+  measure(state, [](Stages& s) {
     std::vector<Element> elements;
     for (const Point& p : s.points)
       elements.emplace_back(p, Vector());

@@ -61,8 +61,9 @@ Method this_package()
                                     return curvature_aware(t, np::random_seed(t.seed));
                                   }}}};
   for (double adaptivity : {0.5, 1.})
-    method.settings.push_back({text("adaptivity %g", adaptivity), [=](const Task& t)
-                               { return curvature_aware(t, np::adaptivity(adaptivity)); }});
+    method.settings.push_back({text("adaptivity %g", adaptivity), [=](const Task& t) {
+                                 return curvature_aware(t, np::adaptivity(adaptivity));
+                               }});
   return method;
 }
 
@@ -76,17 +77,20 @@ Method this_package_with_the_settings_of_the_paper()
 {
   const auto literal = np::settings_of_the_paper(true);
   Method method{"this package, settings of the paper",
-                {{"radius 4 D / sqrt(M)", [=](const Task& t)
-                  { return curvature_aware(t, literal.neighbor_radius(radius_of_the_paper(t))); }},
-                 {"radius 4 D / sqrt(M), curvature recomputed", [=](const Task& t)
-                  {
-    return curvature_aware(
-        t, literal.neighbor_radius(radius_of_the_paper(t)).recompute_curvature(true));
+                {{"radius 4 D / sqrt(M)",
+                  [=](const Task& t) {
+                    return curvature_aware(t, literal.neighbor_radius(radius_of_the_paper(t)));
+                  }},
+                 {"radius 4 D / sqrt(M), curvature recomputed", [=](const Task& t) {
+                    return curvature_aware(
+                        t,
+                        literal.neighbor_radius(radius_of_the_paper(t)).recompute_curvature(true));
                   }}}};
   for (double radius : {2., 3., 4.})
-    method.settings.push_back(
-        {text("radius %g spacings", radius), [=](const Task& t)
-         { return curvature_aware(t, literal.neighbor_radius(radius * t.spacing)); }});
+    method.settings.push_back({text("radius %g spacings", radius), [=](const Task& t) {
+                                 return curvature_aware(
+                                     t, literal.neighbor_radius(radius * t.spacing));
+                               }});
   return method;
 }
 
@@ -116,13 +120,12 @@ Method chain(const std::string& name,
   Method method{name, {}};
   for (const auto& [first_name, prepare] : first)
     for (const Setting& setting : second)
-      method.settings.push_back({first_name + ", " + setting.name,
-                                 [prepare = prepare, setting](const Task& t)
-                                 {
-        Task prepared = t;
-        prepared.points = prepare(t);
-        return setting.run(prepared);
-                                 }});
+      method.settings.push_back(
+          {first_name + ", " + setting.name, [prepare = prepare, setting](const Task& t) {
+             Task prepared = t;
+             prepared.points = prepare(t);
+             return setting.run(prepared);
+           }});
   return method;
 }
 
@@ -138,8 +141,9 @@ Method lop()
   Method method{"classical LOP", {}};
   for (double radius : {2., 2.5, 3., 4.})
     method.settings.push_back(
-        {text("radius %g spacings, 10 iterations", radius), [=](const Task& t)
-         { return classical_lop(t.points, t.count, radius * t.spacing, 10, t.seed); }});
+        {text("radius %g spacings, 10 iterations", radius), [=](const Task& t) {
+           return classical_lop(t.points, t.count, radius * t.spacing, 10, t.seed);
+         }});
   return method;
 }
 
@@ -150,13 +154,13 @@ Method clustering(const std::string& name,
 {
   Method method{name, {}};
   for (double factor : {3., 2., 5.})
-    method.settings.push_back({text("clusters of at most %g times the mean size", factor),
-                               [=](const Task& t)
-                               {
-      const double mean_size = static_cast<double>(t.points.size()) / static_cast<double>(t.count);
-      const double size = std::max(2., factor * mean_size);
-      return simplify(t.points, t.count, static_cast<std::size_t>(size));
-                               }});
+    method.settings.push_back(
+        {text("clusters of at most %g times the mean size", factor), [=](const Task& t) {
+           const double mean_size =
+               static_cast<double>(t.points.size()) / static_cast<double>(t.count);
+           const double size = std::max(2., factor * mean_size);
+           return simplify(t.points, t.count, static_cast<std::size_t>(size));
+         }});
   return method;
 }
 
@@ -165,14 +169,14 @@ Method particle_simulation()
   Method method{"MLS particle simulation", {}};
   for (double scale : {0.01, 0.005, 0.02, 1e9}) // the last one spreads evenly
     for (double force : {0.5, 0.8})
-      method.settings.push_back({text("k = %g, ", force) + text("s = %g", scale), [=](const Task& t)
-                                 {
-        Particle_simulation_parameters parameters;
-        parameters.force_constant = force;
-        parameters.scale = scale;
-        parameters.random_seed = t.seed;
-        return mls_particle_simulation(t.points, t.count, parameters);
-                                 }});
+      method.settings.push_back(
+          {text("k = %g, ", force) + text("s = %g", scale), [=](const Task& t) {
+             Particle_simulation_parameters parameters;
+             parameters.force_constant = force;
+             parameters.scale = scale;
+             parameters.random_seed = t.seed;
+             return mls_particle_simulation(t.points, t.count, parameters);
+           }});
   return method;
 }
 
@@ -180,21 +184,21 @@ std::vector<Setting> short_wlop()
 {
   std::vector<Setting> settings;
   for (double radius : {1., 1.6})
-    settings.push_back({text("radius %g spacings, 10 iterations", radius), [=](const Task& t)
-                        { return wlop(t.points, t.count, radius * t.spacing, 10); }});
+    settings.push_back({text("radius %g spacings, 10 iterations", radius), [=](const Task& t) {
+                          return wlop(t.points, t.count, radius * t.spacing, 10);
+                        }});
   return settings;
 }
 
 Method cgal_random()
 {
   return {"CGAL random",
-          {{"defaults", [](const Task& t)
-            {
-    Points points = t.points;
-    const double removed =
-        100. * (1. - (static_cast<double>(t.count) + 0.5) / static_cast<double>(points.size()));
-    points.erase(CGAL::random_simplify_point_set(points, removed), points.end());
-    return points;
+          {{"defaults", [](const Task& t) {
+              Points points = t.points;
+              const double removed = 100. * (1. - (static_cast<double>(t.count) + 0.5) /
+                                                      static_cast<double>(points.size()));
+              points.erase(CGAL::random_simplify_point_set(points, removed), points.end());
+              return points;
             }}}};
 }
 
@@ -206,15 +210,15 @@ Setting with_parameters(const std::string& parameters)
   std::istringstream stream(parameters);
   for (std::string word; stream >> word;)
     values[word.substr(0, word.find('='))] = word.substr(word.find('=') + 1);
-  const auto number = [values](const std::string& name, double standard)
-  { return values.count(name) != 0 ? std::stod(values.at(name)) : standard; };
+  const auto number = [values](const std::string& name, double standard) {
+    return values.count(name) != 0 ? std::stod(values.at(name)) : standard;
+  };
 
   std::set<std::string> known = {
       "adaptivity", "curvature_dependence", "curvature_weight", "iterations", "paper",
       "radius",     "remove_outliers",      "repulsion_weight"};
   Adaptive_settings settings;
-  const auto set = [&](const char* name, auto& setting)
-  {
+  const auto set = [&](const char* name, auto& setting) {
     known.insert(name);
     setting =
         static_cast<std::decay_t<decltype(setting)>>(number(name, static_cast<double>(setting)));
@@ -264,23 +268,22 @@ Setting with_parameters(const std::string& parameters)
     if (known.count(value.first) == 0)
       throw std::invalid_argument("there is no parameter " + value.first);
 
-  return {parameters, [=](const Task& given)
-          {
-    Task t = given;
-    if (values.count("remove_outliers") != 0)
-      t.points = without_outliers(t.points, number("remove_outliers", 2.));
-    const auto chosen = np::settings_of_the_paper(number("paper", 0.) != 0.)
-                            .adaptivity(number("adaptivity", 2. / 3.))
-                            .curvature_weight(number("curvature_weight", 0.75))
-                            .curvature_dependence(number("curvature_dependence", 2.))
-                            .number_of_iterations(number("iterations", 10.))
-                            .repulsion_weight(number("repulsion_weight", 0.45))
-                            .random_seed(t.seed);
-    if (values.count("radius") == 0)
-      return curvature_aware(t, chosen, settings);
-    const double radius =
-        values.at("radius") == "paper" ? radius_of_the_paper(t) : number("radius", 2.) * t.spacing;
-    return curvature_aware(t, chosen.neighbor_radius(radius));
+  return {parameters, [=](const Task& given) {
+            Task t = given;
+            if (values.count("remove_outliers") != 0)
+              t.points = without_outliers(t.points, number("remove_outliers", 2.));
+            const auto chosen = np::settings_of_the_paper(number("paper", 0.) != 0.)
+                                    .adaptivity(number("adaptivity", 2. / 3.))
+                                    .curvature_weight(number("curvature_weight", 0.75))
+                                    .curvature_dependence(number("curvature_dependence", 2.))
+                                    .number_of_iterations(number("iterations", 10.))
+                                    .repulsion_weight(number("repulsion_weight", 0.45))
+                                    .random_seed(t.seed);
+            if (values.count("radius") == 0)
+              return curvature_aware(t, chosen, settings);
+            const double radius = values.at("radius") == "paper" ? radius_of_the_paper(t)
+                                                                 : number("radius", 2.) * t.spacing;
+            return curvature_aware(t, chosen.neighbor_radius(radius));
           }};
 }
 
@@ -292,29 +295,26 @@ CGAL::Curvature_aware_simplification_report& last_report()
 
 std::vector<Method> methods()
 {
-  const auto no_outliers = [](double spacings)
-  {
+  const auto no_outliers = [](double spacings) {
     return std::make_pair(text("outliers beyond %g spacings removed", spacings),
                           std::function<Points(const Task&)>(
                               [=](const Task& t) { return without_outliers(t.points, spacings); }));
   };
-  const auto smooth = [](unsigned int k)
-  {
+  const auto smooth = [](unsigned int k) {
     return std::make_pair(
         "smoothed over " + std::to_string(k),
         std::function<Points(const Task&)>([=](const Task& t) { return smoothed(t.points, k); }));
   };
   // both without a parameter of their own, with outliers and noise in one input
-  const auto no_outliers_and_smooth = std::make_pair(
-      std::string("outliers beyond 2 spacings removed, smoothed over 24"),
-      std::function<Points(const Task&)>([](const Task& t)
-                                         { return smoothed(without_outliers(t.points, 2.), 24); }));
+  const auto no_outliers_and_smooth =
+      std::make_pair(std::string("outliers beyond 2 spacings removed, smoothed over 24"),
+                     std::function<Points(const Task&)>([](const Task& t) {
+                       return smoothed(without_outliers(t.points, 2.), 24);
+                     }));
   const std::vector<Setting> then_wlop = short_wlop();
-  const std::vector<Setting> then_voxels =
-      one_setting("",
-                  [](const Points& p, std::size_t n) {
-    return voxel_centroids_to_count(p, n);
-      }).settings;
+  const std::vector<Setting> then_voxels = one_setting("", [](const Points& p, std::size_t n) {
+                                             return voxel_centroids_to_count(p, n);
+                                           }).settings;
 
   return {
       this_package(),
@@ -322,8 +322,10 @@ std::vector<Method> methods()
       this_package_uniform(),
       lop(),
       cgal_wlop(),
-      clustering("CGAL hierarchy", [](const Points& p, std::size_t n, std::size_t size)
-                 { return hierarchy_points_of_size(p, n, static_cast<unsigned int>(size)); }),
+      clustering("CGAL hierarchy",
+                 [](const Points& p, std::size_t n, std::size_t size) {
+                   return hierarchy_points_of_size(p, n, static_cast<unsigned int>(size));
+                 }),
       one_setting("CGAL grid", grid_points_to_count),
       cgal_random(),
       one_setting("voxel centroids",

@@ -148,8 +148,7 @@ int main(int argc, char* argv[])
       CGAL::IO::write_points(input_file, input.degraded, CGAL::parameters::stream_precision(17));
       return EXIT_SUCCESS;
     }
-    const auto print = [&](json result)
-    {
+    const auto print = [&](json result) {
       result.update(description);
       result["method"] = method_name;
       std::cout << result.dump() << std::endl;

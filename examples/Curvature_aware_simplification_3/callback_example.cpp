@@ -24,8 +24,7 @@ int main()
   CGAL::Random_points_on_sphere_3<Point> generator(1., random);
   std::copy_n(generator, 50000, std::back_inserter(points));
 
-  const auto show = [](double progress)
-  {
+  const auto show = [](double progress) {
     const std::size_t length = 40, done = static_cast<std::size_t>(progress * length);
     std::cout << "\r[" << std::string(done, '#') << std::string(length - done, ' ') << "]"
               << std::flush;
@@ -36,8 +35,9 @@ int main()
                                                             CGAL::parameters::callback(show));
   std::cout << "\n" << output.size() << " points" << std::endl;
 
-  const auto show_and_cancel = [&show](double progress)
-  { return show(progress) && progress < 0.5; };
+  const auto show_and_cancel = [&show](double progress) {
+    return show(progress) && progress < 0.5;
+  };
   std::vector<Point> cancelled;
   CGAL::curvature_aware_simplify_point_set<Concurrency_tag>(
       points, std::back_inserter(cancelled), CGAL::parameters::callback(show_and_cancel));

@@ -124,8 +124,9 @@ std::optional<Options> read_options(int argc, char* argv[])
       options.count = values["count"].as<long long>();
     if (values.count("radius") != 0)
       options.radius = values["radius"].as<double>();
-    const auto is_given = [&](const char* name)
-    { return values.count(name) != 0 && !values[name].defaulted(); };
+    const auto is_given = [&](const char* name) {
+      return values.count(name) != 0 && !values[name].defaulted();
+    };
     if (is_given("curvature-weight") && !options.settings_of_the_paper && !options.subset)
       throw Error("--curvature-weight needs --paper or --subset; see simplify_point_set --help");
     if (is_given("iterations") && options.subset)
@@ -297,10 +298,10 @@ void print(const CGAL::Curvature_aware_simplification_report& report)
 std::string other_properties(const Point_set& points)
 {
   std::vector<std::string> names = points.properties();
-  names.erase(std::remove_if(names.begin(), names.end(),
-                             [](const std::string& name)
-                             { return name == "index" || name == "point"; }),
-              names.end());
+  names.erase(
+      std::remove_if(names.begin(), names.end(),
+                     [](const std::string& name) { return name == "index" || name == "point"; }),
+      names.end());
   return boost::algorithm::join(names, ", ");
 }
 

@@ -98,9 +98,7 @@ inline double waves(double x, double y)
 
 inline std::vector<Point> cube(std::size_t n, unsigned int seed)
 {
-  return surfaces::sample(n, seed,
-                          [](CGAL::Random& r)
-                          {
+  return surfaces::sample(n, seed, [](CGAL::Random& r) {
     const double a = r.uniform_real(0., 1.), b = r.uniform_real(0., 1.), c = r.uniform_int(0, 1);
     const int axis = r.uniform_int(0, 2);
     return axis == 0 ? Point(c, a, b) : axis == 1 ? Point(a, c, b) : Point(a, b, c);

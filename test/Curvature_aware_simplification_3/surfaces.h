@@ -90,9 +90,7 @@ inline std::vector<Point> ellipsoid(std::size_t n, double c, unsigned int seed)
 // the square [0, 1]^2 in the plane z = 0, uniform per area
 inline std::vector<Point> square(std::size_t n, unsigned int seed)
 {
-  return sample(n, seed,
-                [](CGAL::Random& random)
-                {
+  return sample(n, seed, [](CGAL::Random& random) {
     const double x = random.uniform_real(0., 1.);
     return Point(x, random.uniform_real(0., 1.), 0.);
   });

@@ -52,8 +52,8 @@ TEST(Adaptive, lies_on_a_surface_that_was_scanned_in_lines)
         }
       const std::vector<Point> output =
           simplified(points, np::number_of_output_points(500).random_seed(1));
-      const double mean = mean_distance(output, [&](const Point& p)
-                                        { return std::abs(p.z() - height(p.x(), p.y())); });
+      const double mean = mean_distance(
+          output, [&](const Point& p) { return std::abs(p.z() - height(p.x(), p.y())); });
       EXPECT_LT(mean, 0.004 / lines) << points_on_a_distance << ' ' << is_random;
     }
 }
@@ -129,15 +129,15 @@ TEST(Adaptive, lies_on_a_surface_whose_depth_was_rounded)
     for (double sigma : {0., 0.3 * step})
     {
       CGAL::Random random(65);
-      const std::vector<Point> frame = depth_frame(200, step,
-                                                   [&](double x, double y) {
+      const std::vector<Point> frame = depth_frame(200, step, [&](double x, double y) {
         return waves(x, y) + sigma * surfaces::normal_deviate(random);
       });
       CGAL::Curvature_aware_simplification_report report;
       const auto parameters =
           np::number_of_output_points(2000).simplification_report(std::ref(report));
-      const auto error = [&](const Point& p)
-      { return std::abs(p.z() - waves(p.x(), p.y())) / step; };
+      const auto error = [&](const Point& p) {
+        return std::abs(p.z() - waves(p.x(), p.y())) / step;
+      };
       EXPECT_LT(mean_distance(simplified(frame, parameters), error), sigma > 0. ? 0.16 : 0.08)
           << step << ' ' << sigma;
       EXPECT_NEAR(report.depth_step, step, 1e-9);
@@ -160,8 +160,8 @@ TEST(Adaptive, removes_noise_of_a_scanner_at_rest)
       const std::vector<Point> output =
           simplified(frames_of_a_scanner_at_rest(80, frames, sigma, 50),
                      np::number_of_output_points(1000).simplification_report(std::ref(report)));
-      const double mean = mean_distance(output, [](const Point& p)
-                                        { return std::abs(p.z() - waves(p.x(), p.y())); });
+      const double mean = mean_distance(
+          output, [](const Point& p) { return std::abs(p.z() - waves(p.x(), p.y())); });
       EXPECT_LT(mean, 0.3 * sigma) << frames << ' ' << sigma;
       EXPECT_LT(report.noise_level, sigma); // and not what balls are measured in
     }
@@ -227,8 +227,7 @@ TEST(Adaptive, selects_of_few_points)
   for (const std::vector<Point>& points : inputs)
     for (std::size_t n = 1; n <= points.size(); ++n)
       for (const Point& p : simplified(points, np::number_of_output_points(n)))
-        EXPECT_TRUE(std::any_of(points.begin(), points.end(),
-                                [&](const Point& q) {
+        EXPECT_TRUE(std::any_of(points.begin(), points.end(), [&](const Point& q) {
           return CGAL::squared_distance(p, q) < 1e-28;
         })) << p;
   // whatever their order and the parameters of the paper
@@ -263,8 +262,7 @@ TEST(Adaptive, removes_noise_that_differs_by_place)
   CGAL::Random random(25);
   for (Point& p : points)
     p = p + sigma_at(p) * surfaces::normal_deviate(random) * (p - CGAL::ORIGIN);
-  const auto mean_in_sigma = [&](bool noise_by_place)
-  {
+  const auto mean_in_sigma = [&](bool noise_by_place) {
     Adaptive_settings settings;
     settings.noise_by_place = noise_by_place;
     std::vector<Point> output;
@@ -296,8 +294,7 @@ TEST(Adaptive, is_dense_where_the_surface_bends)
 {
   const double c = 3.;
   const std::vector<Point> points = surfaces::ellipsoid(40000, c, 29);
-  const auto share_at_tips = [&](const std::vector<Point>& set)
-  {
+  const auto share_at_tips = [&](const std::vector<Point>& set) {
     return static_cast<double>(std::count_if(
                set.begin(), set.end(), [=](const Point& p) { return std::abs(p.z()) > 0.9 * c; })) /
            static_cast<double>(set.size());
@@ -324,9 +321,9 @@ TEST(Adaptive, spreads_evenly_whatever_the_density_of_the_input)
   double largest_gap = 0.;
   const Neighbor_search search(output, Tag());
   for (const Point& p : surfaces::sphere(20000, 31))
-    search.for_each_nearest(p, 1,
-                            [&](std::size_t, const Point&, double squared_distance)
-                            { largest_gap = std::max(largest_gap, std::sqrt(squared_distance)); });
+    search.for_each_nearest(p, 1, [&](std::size_t, const Point&, double squared_distance) {
+      largest_gap = std::max(largest_gap, std::sqrt(squared_distance));
+    });
   // the spacing of a hexagonal lattice, whose gaps are 0.58 of it
   EXPECT_LT(largest_gap, 1.3 * std::sqrt(4. * CGAL_PI / 2000. * 2. / std::sqrt(3.)));
 }
@@ -344,9 +341,9 @@ TEST(Adaptive, spreads_evenly_on_a_noisy_plane)
       if (std::min({p.x(), p.y(), 1. - p.x(), 1. - p.y()}) > 3. * spacing)
       {
         double sum = 0.;
-        search.for_each_nearest(p, 7,
-                                [&](std::size_t, const Point&, double squared_distance)
-                                { sum += std::sqrt(squared_distance); });
+        search.for_each_nearest(p, 7, [&](std::size_t, const Point&, double squared_distance) {
+          sum += std::sqrt(squared_distance);
+        });
         distances.push_back(sum / 6.);
       }
     std::sort(distances.begin(), distances.end());
@@ -360,8 +357,7 @@ TEST(Adaptive, places_no_sample_in_a_gap)
 {
   // where a sample goes from near the middle of a hole with this radius, in a plane of points 0.1
   // apart
-  const auto place = [](double hole)
-  {
+  const auto place = [](double hole) {
     std::vector<Point> points;
     for (int i = -30; i <= 30; ++i)
       for (int j = -30; j <= 30; ++j)
@@ -401,8 +397,7 @@ TEST(Adaptive, leaves_samples_on_strips_with_gaps_between_them)
     CGAL::Curvature_aware_simplification_report report;
     const std::vector<Point> output = simplified(
         points, np::number_of_output_points(2000).simplification_report(std::ref(report)));
-    const auto is_off = [&](const Point& p)
-    {
+    const auto is_off = [&](const Point& p) {
       const double x = p.x() - 2. * width * std::round((p.x() - width / 2.) / (2. * width));
       const double along = (std::max)({-x, x - width, 0.});
       return std::hypot(along, p.z()) > 0.5 * report.output_spacing;
@@ -440,8 +435,7 @@ TEST(Adaptive, leaves_no_sample_far_from_a_sparse_comb)
         points, np::number_of_output_points(1000).simplification_report(std::ref(report)));
     const Neighbor_search search(points, Tag());
     for (const Point& p : output)
-      search.for_each_nearest(p, 1,
-                              [&](std::size_t, const Point&, double squared_distance) {
+      search.for_each_nearest(p, 1, [&](std::size_t, const Point&, double squared_distance) {
         EXPECT_LT(std::sqrt(squared_distance), 1.5 * report.output_spacing) << seed;
       });
   }
@@ -456,12 +450,12 @@ TEST(Adaptive, keeps_the_border_of_a_square)
   const double spacing = std::sqrt(1. / 2000. * 2. / std::sqrt(3.));
   EXPECT_NEAR(report.output_spacing / spacing, 1., 0.03);
   const Neighbor_search search(output, Tag());
-  const auto distance = [&](double x, double y)
-  {
+  const auto distance = [&](double x, double y) {
     double result = 0.;
     search.for_each_nearest(Point(x, y, 0.), 1,
-                            [&](std::size_t, const Point&, double squared_distance)
-                            { result = std::sqrt(squared_distance); });
+                            [&](std::size_t, const Point&, double squared_distance) {
+                              result = std::sqrt(squared_distance);
+                            });
     return result;
   };
   for (double x : {0., 1.})
@@ -514,8 +508,7 @@ TEST(Adaptive, does_not_mix_the_sides_of_a_thin_plate)
 TEST(Adaptive, is_on_the_sides_of_a_plate_as_thin_as_its_points_are_apart)
 {
   // how many of 2000 samples are more than a tenth of the thickness away from both sides
-  const auto between = [](double thickness_in_spacings, bool correct_by_points, bool outliers)
-  {
+  const auto between = [](double thickness_in_spacings, bool correct_by_points, bool outliers) {
     Adaptive_settings settings;
     settings.correct_by_points = correct_by_points;
     std::vector<Point> points = thin_plate(thickness_in_spacings);
@@ -527,8 +520,7 @@ TEST(Adaptive, is_on_the_sides_of_a_plate_as_thin_as_its_points_are_apart)
     std::vector<Point> output;
     simplify_point_set<Tag>(points, std::back_inserter(output), np::number_of_output_points(2000),
                             settings);
-    return std::count_if(output.begin(), output.end(),
-                         [&](const Point& p) {
+    return std::count_if(output.begin(), output.end(), [&](const Point& p) {
       return std::min(std::abs(p.z()), std::abs(p.z() - thickness)) > 0.1 * thickness;
     });
   };
@@ -550,8 +542,9 @@ TEST(Adaptive, is_on_the_sides_of_a_noisy_plate_as_thin_as_its_points_are_apart)
                                                np::number_of_output_points(2000));
   EXPECT_LE(std::count_if(output.begin(), output.end(),
                           [&](const Point& p) {
-    return std::min(std::abs(p.z()), std::abs(p.z() - thickness)) > 0.2 * thickness;
-            }),
+                            return std::min(std::abs(p.z()), std::abs(p.z() - thickness)) >
+                                   0.2 * thickness;
+                          }),
             95);
 }
 
@@ -607,9 +600,9 @@ std::vector<double> distances_to_others(const std::vector<Point>& points)
   for (const Point& p : points)
   {
     double largest = 0.; // of those of the point itself and of the nearest other
-    search.for_each_nearest(p, 2,
-                            [&](std::size_t, const Point&, double squared_distance)
-                            { largest = (std::max)(largest, std::sqrt(squared_distance)); });
+    search.for_each_nearest(p, 2, [&](std::size_t, const Point&, double squared_distance) {
+      largest = (std::max)(largest, std::sqrt(squared_distance));
+    });
     result.push_back(largest);
   }
   return result;
@@ -677,8 +670,9 @@ TEST(Adaptive, pushes_no_noisy_sample_beyond_its_fit)
   const double sigma = 0.02;
   const std::vector<Point> output = simplified(
       with_noise(surfaces::torus(100000, 3., 1., 6), sigma, 7), np::number_of_output_points(200));
-  const auto distance = [](const Point& p)
-  { return std::abs(std::hypot(std::hypot(p.x(), p.y()) - 3., p.z()) - 1.); };
+  const auto distance = [](const Point& p) {
+    return std::abs(std::hypot(std::hypot(p.x(), p.y()) - 3., p.z()) - 1.);
+  };
   EXPECT_LT(mean_distance(output, distance), 0.3 * sigma);
   for (const Point& p : output)
     EXPECT_LT(distance(p), 3. * sigma) << p;
@@ -688,8 +682,7 @@ TEST(Adaptive, moves_no_sample_without_iterations_or_repulsion)
 {
   // With noise, the projection is followed by two more rounds.
   const std::vector<Point> points = with_noise(surfaces::square(20000, 4), 0.004, 5);
-  const auto output = [&](unsigned int iterations, double weight)
-  {
+  const auto output = [&](unsigned int iterations, double weight) {
     return simplified(points, np::number_of_output_points(2000)
                                   .number_of_iterations(iterations)
                                   .repulsion_weight(weight));
@@ -716,8 +709,7 @@ TEST(Adaptive, is_the_same_kind_of_result_when_turned)
   const std::vector<Point> other = each(simplified(each(points, turned)), turned_back);
   const auto error = [](const Point& p) { return surfaces::distance_to_torus(p, 3., 1.); };
   EXPECT_NEAR(mean_distance(output, error) / mean_distance(other, error), 1., 0.2);
-  const auto inner = [](const std::vector<Point>& set)
-  {
+  const auto inner = [](const std::vector<Point>& set) {
     return static_cast<double>(std::count_if(
         set.begin(), set.end(), [](const Point& p) { return std::hypot(p.x(), p.y()) < 3.; }));
   };

@@ -60,8 +60,9 @@ std::vector<Point> merged(const std::vector<Point>& points, std::size_t number_o
   auto search = std::make_unique<Neighbor_search>(cloud.points, Tag());
   merge_copies<Tag>(cloud, search, number_of_samples, Progress(no_callback));
   EXPECT_EQ(search->size(), cloud.size());
-  return each(cloud.points, [&](const Point& p)
-              { return cloud.frame.from_frame(p, std::numeric_limits<double>::max()); });
+  return each(cloud.points, [&](const Point& p) {
+    return cloud.frame.from_frame(p, std::numeric_limits<double>::max());
+  });
 }
 
 // The distance of the point of the unit sphere that is farthest from all samples, over that of a
@@ -113,22 +114,19 @@ TEST(Copies, at_the_same_distance_are_merged_in_any_unit)
 
 TEST(Copies, are_more_than_those_of_chance)
 {
-  const auto line = [](std::size_t n, unsigned int seed)
-  {
+  const auto line = [](std::size_t n, unsigned int seed) {
     return surfaces::sample(n, seed,
                             [](CGAL::Random& r) { return Point(r.uniform_real(0., 1.), 0., 0.); });
   };
-  const auto volume = [](std::size_t n, unsigned int seed)
-  {
-    return surfaces::sample(n, seed,
-                            [](CGAL::Random& r)
-                            {
+  const auto volume = [](std::size_t n, unsigned int seed) {
+    return surfaces::sample(n, seed, [](CGAL::Random& r) {
       const double x = r.uniform_real(0., 1.), y = r.uniform_real(0., 1.);
       return Point(x, y, r.uniform_real(0., 1.));
     });
   };
-  const auto number_merged = [](const std::vector<Point>& points)
-  { return points.size() - merged(points, 10).size(); };
+  const auto number_merged = [](const std::vector<Point>& points) {
+    return points.size() - merged(points, 10).size();
+  };
   for (unsigned int seed = 0; seed < 50; ++seed)
     for (std::size_t n : {60u, 200u, 5000u})
     {
@@ -198,9 +196,9 @@ TEST(Copies, leave_dense_parts_as_they_are)
   const std::vector<Point> places = merged(points, 100);
   EXPECT_LT(places.size(), 3700u);
   const Neighbor_search search(places, Tag());
-  const auto left =
-      std::count_if(dense.begin(), dense.end(),
-                    [&](const Point& p) { return squared_distance(p, search.nearest(p)) < 1e-20; });
+  const auto left = std::count_if(dense.begin(), dense.end(), [&](const Point& p) {
+    return squared_distance(p, search.nearest(p)) < 1e-20;
+  });
   EXPECT_GT(left, 0.9 * static_cast<double>(dense.size()));
 }
 
@@ -259,8 +257,9 @@ TEST(Copies, are_more_than_the_neighbors_beyond_them)
 TEST(Copies, do_not_change_the_samples)
 {
   const std::vector<Point> places = surfaces::sphere(2000, 1); // 0.08 apart
-  const auto distance_of_samples = [](const std::vector<Point>& samples)
-  { return mean_distance(samples, distance_to_sphere); };
+  const auto distance_of_samples = [](const std::vector<Point>& samples) {
+    return mean_distance(samples, distance_to_sphere);
+  };
   const double expected = distance_of_samples(simplified(places, np::number_of_output_points(500)));
   for (int copies : {2, 3, 8, 16, 20, 40})
     for (double sigma : {1e-9, 1e-4, 3e-4, 1e-3, 2e-3})
@@ -324,8 +323,9 @@ TEST(Copies, are_no_small_parts_far_from_each_other)
       simplified(points, np::number_of_output_points(600).simplification_report(std::ref(report)));
   EXPECT_EQ(report.number_of_merged_points, 0u);
   const Neighbor_search search(points, Tag());
-  const auto distance_to_points = [&](const Point& p)
-  { return std::sqrt(squared_distance(p, search.nearest(p))); };
+  const auto distance_to_points = [&](const Point& p) {
+    return std::sqrt(squared_distance(p, search.nearest(p)));
+  };
   EXPECT_LT(mean_distance(samples, distance_to_points), 0.02);
 }
 
@@ -333,18 +333,15 @@ TEST(Copies, are_no_small_parts_far_from_each_other)
 TEST(Copies, that_differ_by_rounding_are_merged)
 {
   const std::vector<Point> places = surfaces::torus(4000, 2., 0.7, 6);
-  const auto distance_of_samples = [](const std::vector<Point>& points)
-  {
+  const auto distance_of_samples = [](const std::vector<Point>& points) {
     return mean_distance(simplified(points, np::number_of_output_points(400)),
                          [](const Point& p) { return surfaces::distance_to_torus(p, 2., 0.7); });
   };
-  const auto rounded = [](const Point& p)
-  {
+  const auto rounded = [](const Point& p) {
     const auto to_float = [](double x) { return static_cast<double>(static_cast<float>(x)); };
     return Point(to_float(p.x()), to_float(p.y()), to_float(p.z()));
   };
-  const auto written = [](const Point& p)
-  {
+  const auto written = [](const Point& p) {
     const auto digits = [](double x) { return std::round(x * 1e5) / 1e5; };
     return Point(digits(p.x()), digits(p.y()), digits(p.z()));
   };

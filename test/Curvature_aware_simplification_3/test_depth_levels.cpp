@@ -98,9 +98,7 @@ TEST(Depth_levels, are_found_in_frames_of_a_depth_camera)
     EXPECT_NEAR(of_turned.typical_step(), step, 1e-12);
 
     // coordinates in single precision
-    const Depth_levels rounded = depth_levels_of(each(each(frame, turned),
-                                                      [](const Point& p)
-                                                      {
+    const Depth_levels rounded = depth_levels_of(each(each(frame, turned), [](const Point& p) {
       return Point(static_cast<float>(p.x()), static_cast<float>(p.y()), static_cast<float>(p.z()));
     }));
     EXPECT_EQ(rounded.heights.size(), levels.heights.size());
@@ -201,8 +199,9 @@ TEST(Rounding_of_depth, is_undone_between_the_borders_of_the_steps)
   // x = 9 to 14 are at z = 6: the first of them is one from the step below, and six from the one
   // above, which are farther than the sqrt(2) 3 that count
   const double reach = 3. * std::sqrt(2.);
-  const auto away = [&](std::size_t x)
-  { return rounded_away(slope[100 * x + 50], levels, search); };
+  const auto away = [&](std::size_t x) {
+    return rounded_away(slope[100 * x + 50], levels, search);
+  };
   ASSERT_EQ(slope[100 * 9 + 50].z(), 6.);
   ASSERT_EQ(slope[100 * 14 + 50].z(), 6.);
   EXPECT_NEAR(away(9), step * (1. / (1. + reach) - 0.5), 1e-12);
@@ -279,8 +278,7 @@ TEST(Rounding_of_depth, leaves_a_tenth_of_a_step)
   {
     Cloud cloud = make_cloud<Tag>(depth_frame(200, step, waves), 0.);
     std::unique_ptr<Neighbor_search> search(new Neighbor_search(cloud.points, Tag()));
-    const auto error = [&]
-    {
+    const auto error = [&] {
       double sum = 0.;
       for (const Point& p : cloud.points)
       {
@@ -294,9 +292,7 @@ TEST(Rounding_of_depth, leaves_a_tenth_of_a_step)
     EXPECT_FALSE(levels.heights.empty());
     EXPECT_LT(error(), 0.15) << step; // borders of steps are known to half a spacing
     // the search knows where the points are now
-    search->for_each_nearest(cloud.points[5], 1,
-                             [&](std::size_t i, const Point& p, double)
-                             {
+    search->for_each_nearest(cloud.points[5], 1, [&](std::size_t i, const Point& p, double) {
       EXPECT_EQ(i, 5u);
       EXPECT_EQ(p, cloud.points[5]);
     });

@@ -95,8 +95,7 @@ TEST(Fold, is_fitted_to_noisy_points)
 
 TEST(Fold, is_not_fitted_to_other_surfaces)
 {
-  const auto has_fold = [](const std::vector<Point>& points, const Point& center, double noise)
-  {
+  const auto has_fold = [](const std::vector<Point>& points, const Point& center, double noise) {
     const Neighborhood neighborhood = neighborhood_of(points, center, 33);
     Fold fold;
     return fit_fold(neighborhood, std::max(0.03 * neighborhood.radius, 3. * noise), fold);
@@ -136,8 +135,7 @@ TEST(Fold, is_seen_by_samples_on_both_sides)
   fold.planes[0] = {Vector(1., 0., 0.), 0.};
   fold.planes[1] = {Vector(0., 1., 0.), 0.};
   const Point first(0.1, 2., 0.), second(2., -0.1, 0.), none(2., 2., 0.);
-  const auto is_seen = [&](const std::vector<Point>& points, double distance = 0.5)
-  {
+  const auto is_seen = [&](const std::vector<Point>& points, double distance = 0.5) {
     std::vector<std::size_t> neighbors(points.size());
     for (std::size_t i = 0; i < points.size(); ++i)
       neighbors[i] = i;
@@ -152,8 +150,7 @@ TEST(Fold, is_seen_by_samples_on_both_sides)
   many.push_back(second);
   EXPECT_FALSE(is_seen(many));
   // three of 12 may be elsewhere, one if the sample is in the first row beside the edge
-  const auto with_others = [&](std::size_t number)
-  {
+  const auto with_others = [&](std::size_t number) {
     std::vector<Point> points(12, first);
     points[0] = second;
     std::fill_n(points.rbegin(), number, none);
@@ -196,8 +193,7 @@ TEST(Adaptive, leaves_few_gaps_on_sharp_edges)
 TEST(Adaptive, puts_samples_on_sharp_edges)
 {
   // The samples are 0.054 apart if uniform, edges have a length of 12.
-  const auto on_edges = [](const std::vector<Point>& points, double tolerance)
-  {
+  const auto on_edges = [](const std::vector<Point>& points, double tolerance) {
     return std::count_if(points.begin(), points.end(),
                          [&](const Point& p) { return distance_to_edge(p) < tolerance; });
   };
@@ -229,8 +225,7 @@ TEST(Adaptive, puts_samples_on_sharp_edges)
 
 TEST(Adaptive, puts_one_sample_into_each_corner_of_an_open_surface)
 {
-  const auto squared_distances = [](const std::vector<Point>& points, double x, double y)
-  {
+  const auto squared_distances = [](const std::vector<Point>& points, double x, double y) {
     std::vector<double> result;
     for (const Point& p : points)
       result.push_back((p.x() - x) * (p.x() - x) + (p.y() - y) * (p.y() - y));
@@ -238,8 +233,7 @@ TEST(Adaptive, puts_one_sample_into_each_corner_of_an_open_surface)
     return result;
   };
   // of 36 corners
-  const auto check = [&](double sigma, double farthest, int least_filled, int most_crowded)
-  {
+  const auto check = [&](double sigma, double farthest, int least_filled, int most_crowded) {
     int filled = 0, crowded = 0;
     for (std::size_t n : {300u, 1000u, 3000u})
       for (unsigned int seed : {91u, 92u, 93u})
@@ -280,8 +274,7 @@ TEST(Adaptive, looks_for_no_corners_where_samples_are_crowded)
   x.place(fit, Point(0.2, 0.2, 0.), CGAL::NULL_VECTOR, 1);
   x.spacing = 0.3;
   const std::vector<std::size_t> neighbors = {0, 1, 2};
-  const auto corner = [&](double d)
-  {
+  const auto corner = [&](double d) {
     const std::vector<Point> samples = {Point(0.2 + d, 0.2, 0.), Point(0.2, 0.2 + d, 0.),
                                         Point(0.2 + d, 0.2 + d, 0.)};
     return nearest_corner(x, neighbors, samples, fit);
@@ -314,8 +307,7 @@ TEST(Corner, is_left_to_the_nearest_sample)
 // a corner.
 TEST(Corner, is_in_the_plane_of_its_neighbors)
 {
-  const auto corner_at = [](const Point& place)
-  {
+  const auto corner_at = [](const Point& place) {
     const std::vector<Point> points = surfaces::square(20000, 91);
     const Neighbor_search search(points, Tag());
     Neighborhood neighborhood;
@@ -362,8 +354,7 @@ TEST(Adaptive, sees_no_edges_and_no_corners_where_there_are_none)
   Adaptive_settings without;
   without.move_to_edges = false;
   without.move_to_corners = false;
-  const auto result = [&](const Adaptive_settings& settings)
-  {
+  const auto result = [&](const Adaptive_settings& settings) {
     std::vector<Point> output;
     simplify_point_set<Tag>(points, std::back_inserter(output), np::default_values(), settings);
     return output;

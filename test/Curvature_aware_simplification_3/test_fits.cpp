@@ -62,8 +62,9 @@ TEST(Neighborhood, has_the_direction_of_its_line)
 
 TEST(Fit, of_a_quadric_is_exact)
 {
-  const auto f = [](double x, double y)
-  { return 0.1 + 0.2 * x - 0.1 * y + 0.5 * x * x - 0.3 * x * y + 0.7 * y * y; };
+  const auto f = [](double x, double y) {
+    return 0.1 + 0.2 * x - 0.1 * y + 0.5 * x * x - 0.3 * x * y + 0.7 * y * y;
+  };
   const std::vector<Point> points = patch(200, 1, f);
   const Neighbor_search search(points, Tag());
   Neighborhood neighborhood;
@@ -128,8 +129,7 @@ TEST(Fit, is_reweighted_again_only_with_noise)
       const double x = 0.05 * i, y = 0.05 * j;
       points.emplace_back(x, y, x * x + y * y + x * x * x);
     }
-  const auto height = [](const std::vector<Point>& p, bool is_visible, int rounds)
-  {
+  const auto height = [](const std::vector<Point>& p, bool is_visible, int rounds) {
     const Neighbor_search search(p, Tag());
     Noise noise;
     noise.is_visible = is_visible;
@@ -161,8 +161,7 @@ TEST(Fit, between_two_lines_of_a_scan_takes_more_of_them)
       }
     const Neighbor_search search(points, CGAL::Sequential_tag());
     Noise noise{sigma, sigma};
-    const auto fitted = [&](double visible_error)
-    {
+    const auto fitted = [&](double visible_error) {
       noise.visible_error = visible_error;
       Neighborhood neighborhood;
       return fit_local_surface(Surface_fit{search, noise}, Point(0., 0.1, 0.), Vector(0., 0., 1.),

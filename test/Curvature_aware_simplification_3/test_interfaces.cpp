@@ -105,8 +105,7 @@ TEST(Exact_kernel, points_are_evaluated)
     twice.push_back(once.back());
     twice.push_back(back(motion(once.back())));
   }
-  const auto simplified = [](const std::vector<Exact::Point_3>& points)
-  {
+  const auto simplified = [](const std::vector<Exact::Point_3>& points) {
     std::vector<Exact::Point_3> output;
     CGAL::Curvature_aware_simplification_report report;
     CGAL::curvature_aware_simplify_point_set<Tag>(
@@ -385,8 +384,7 @@ TEST(Named_parameters, chain_in_any_order)
 TEST(Named_parameters, each_has_an_effect)
 {
   const std::vector<Point> points = surfaces::ellipsoid(1000, 3., 6);
-  const auto run = [&](const auto& parameters)
-  {
+  const auto run = [&](const auto& parameters) {
     std::vector<Point> output;
     CGAL::curvature_aware_simplify_point_set<Tag>(points, std::back_inserter(output),
                                                   parameters.settings_of_the_paper(true));
@@ -416,8 +414,7 @@ TEST(Named_parameters, each_has_an_effect)
 
 // A program that calls CGAL's WLOP; the test replaces the name and nothing else.
 #define CGAL_TEST_PROGRAM(function)                                                                \
-  [](std::vector<Point> points)                                                                    \
-  {                                                                                                \
+  [](std::vector<Point> points) {                                                                  \
     std::vector<Point> output;                                                                     \
     const double retain_percentage = 2.;                                                           \
     const double neighbor_radius = 0.5;                                                            \
@@ -427,7 +424,7 @@ TEST(Named_parameters, each_has_an_effect)
                             .number_of_iterations(5)                                               \
                             .require_uniform_sampling(true));                                      \
     return output.size();                                                                          \
-      }
+  }
 
 TEST(Change_from_WLOP, needs_a_new_name_only)
 {

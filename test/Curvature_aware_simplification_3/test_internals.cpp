@@ -70,8 +70,7 @@ TEST(Surface_variation, of_a_plane_is_zero)
   const auto plane = mapped_lattice(10, 0.1, [](double u, double v) { return Point(u, v, 0.); });
   EXPECT_EQ(variation_at_first(plane, 16), 0.);
   // tilted and far away: all that is left is rounding error
-  const auto far_away = mapped_lattice(10, 0.1,
-                                       [](double u, double v) {
+  const auto far_away = mapped_lattice(10, 0.1, [](double u, double v) {
     return Point(4e5 + u, 5e6 + v, 100. + 0.3 * u - 0.7 * v);
   });
   EXPECT_EQ(variation_at_first(far_away, 16), 0.);
@@ -135,8 +134,9 @@ TEST(Surface_variation, of_a_noisy_plane)
   for (int repetition = 0; repetition < 20; ++repetition)
     sum += variation_at_first(mapped_lattice(30, step,
                                              [&](double u, double v) {
-      return Point(u, v, 0.01 * surfaces::normal_deviate(random));
-                              }),
+                                               return Point(
+                                                   u, v, 0.01 * surfaces::normal_deviate(random));
+                                             }),
                               static_cast<unsigned int>(k));
   // a disk of radius r has variance r^2 / 4 in both directions
   const double squared_radius = (k + 1.) * step * step / CGAL_PI;
@@ -279,8 +279,7 @@ TEST(Cloud, merges_duplicates_and_keeps_track)
 
 TEST(Cloud, finds_duplicates_and_the_first_of_each)
 {
-  const auto first_equal = [](const std::vector<Point>& points, const auto& tag)
-  {
+  const auto first_equal = [](const std::vector<Point>& points, const auto& tag) {
     std::vector<std::size_t> result(points.size());
     std::iota(result.begin(), result.end(), std::size_t(0));
     for (const Duplicate& d : find_duplicates<std::decay_t<decltype(tag)>>(points))
@@ -378,8 +377,7 @@ TEST(Surface_variation, is_not_changed_by_a_far_point)
 
 TEST(Curve_ranges, are_even_for_any_number_of_points)
 {
-  const auto expect_even = [](const Curve_ranges& ranges)
-  {
+  const auto expect_even = [](const Curve_ranges& ranges) {
     const std::size_t n = ranges.number_of_points;
     EXPECT_EQ(ranges.first_point(0), 0u);
     EXPECT_EQ(ranges.first_point(ranges.number), n);
@@ -407,8 +405,9 @@ TEST(Box_of_most_points, leaves_out_what_is_far_only)
   std::vector<Point> points;
   for (int i = 0; i < 10000; ++i)
     points.emplace_back(random.uniform_real(0., 1.), random.uniform_real(0., 1.), 0.);
-  const auto box_of = [&]
-  { return box_of_most_points(points, CGAL::bbox_3(points.begin(), points.end())); };
+  const auto box_of = [&] {
+    return box_of_most_points(points, CGAL::bbox_3(points.begin(), points.end()));
+  };
   EXPECT_EQ(box_of(), CGAL::bbox_3(points.begin(), points.end()));
   points.emplace_back(50., 0., 0.);
   EXPECT_EQ(box_of().xmax(), 50.);
@@ -621,9 +620,7 @@ void expect_neighbors_as_by_brute_force(const Neighbor_search& search,
 
     const std::size_t k = 17; // or as many as there are
     std::vector<double> nearest;
-    search.for_each_nearest(query, k,
-                            [&](std::size_t i, const Point& p, double squared_distance)
-                            {
+    search.for_each_nearest(query, k, [&](std::size_t i, const Point& p, double squared_distance) {
       EXPECT_EQ(is_hidden[i], 0);
       EXPECT_EQ(p, points[i]);
       EXPECT_DOUBLE_EQ(squared_distance, all[i]);
@@ -650,8 +647,7 @@ void expect_neighbors_as_by_brute_force(const Neighbor_search& search,
       EXPECT_TRUE(std::includes(expected.begin(), expected.end(), found.begin(), found.end()));
     }
     std::size_t asked = 0, even = 0;
-    const auto is_even = [&](std::size_t i, const Point&, double)
-    {
+    const auto is_even = [&](std::size_t i, const Point&, double) {
       ++asked;
       even += i % 2 == 0 ? 1 : 0;
       return i % 2 == 0;
@@ -685,9 +681,9 @@ TEST(Neighbor_search, agrees_with_brute_force)
     expect_neighbors_as_by_brute_force(search, points, is_hidden);
     std::vector<std::size_t> by_distance(n);
     std::iota(by_distance.begin(), by_distance.end(), std::size_t(0));
-    std::sort(by_distance.begin(), by_distance.end(),
-              [&](std::size_t i, std::size_t j)
-              { return CGAL::has_smaller_distance_to_point(points[0], points[i], points[j]); });
+    std::sort(by_distance.begin(), by_distance.end(), [&](std::size_t i, std::size_t j) {
+      return CGAL::has_smaller_distance_to_point(points[0], points[i], points[j]);
+    });
     for (std::size_t hidden : {n / 2, n - 1})
     {
       std::fill(is_hidden.begin(), is_hidden.end(), std::uint8_t(0));
@@ -752,8 +748,7 @@ TEST(Relaxation, of_one_sample_among_three_points_by_hand)
   EXPECT_NEAR(repelled.z(), 0., 1e-15);
 
   // both together, mu = 0.45
-  const auto curvature_at = [](const Point& x, const std::optional<std::size_t>& nearest)
-  {
+  const auto curvature_at = [](const Point& x, const std::optional<std::size_t>& nearest) {
     EXPECT_TRUE(nearest);
     return x.x() > 0. ? 0. : x.y() < 0. ? 20. : 1.;
   };
@@ -769,8 +764,7 @@ TEST(Relaxation, without_anything_in_reach_stays)
 {
   const std::vector<Point> far = {Point(100, 0, 0)};
   const Neighbor_search search(far, Tag());
-  const auto curvature_at = [](const Point&, const std::optional<std::size_t>& nearest)
-  {
+  const auto curvature_at = [](const Point&, const std::optional<std::size_t>& nearest) {
     EXPECT_FALSE(nearest);
     return 0.;
   };
@@ -795,13 +789,12 @@ TEST(Neighbor_search, of_equal_points_is_not_as_deep_as_they_are_many)
 {
   // with one point less at each level, the stack would overflow
   std::vector<Point> points(300000, Point(1., 2., 3.));
-  const auto number_at = [](const std::vector<Point>& at, const Point& x, std::size_t k)
-  {
+  const auto number_at = [](const std::vector<Point>& at, const Point& x, std::size_t k) {
     const Neighbor_search search(at, Tag());
     std::size_t number = 0;
-    search.for_each_nearest(x, k,
-                            [&](std::size_t, const Point&, double squared_distance)
-                            { number += squared_distance == 0. ? 1 : 0; });
+    search.for_each_nearest(x, k, [&](std::size_t, const Point&, double squared_distance) {
+      number += squared_distance == 0. ? 1 : 0;
+    });
     return number;
   };
   EXPECT_EQ(number_at(points, points.front(), 20), 20u);
@@ -839,11 +832,9 @@ TEST(Loops, visit_each_index_once)
 
 TEST(Loops, report_progress_after_blocks_that_threads_can_share)
 {
-  const auto reports = [](std::size_t size)
-  {
+  const auto reports = [](std::size_t size) {
     std::vector<double> result;
-    const std::function<bool(double)> record = [&](double share)
-    {
+    const std::function<bool(double)> record = [&](double share) {
       result.push_back(share);
       return true;
     };

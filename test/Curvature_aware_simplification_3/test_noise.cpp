@@ -114,9 +114,9 @@ TEST(Noise_level, of_a_thin_part_is_not_its_thickness)
                           0.04 * std::sin(2. * CGAL_PI * p.y()));
     const std::vector<double> levels =
         noise_of_points(make_cloud<Tag>(with_noise(points, sigma, 10), 1e-16));
-    const auto wrong =
-        std::count_if(levels.begin(), levels.end(),
-                      [&](double level) { return level < 0.7 * sigma || level > 1.3 * sigma; });
+    const auto wrong = std::count_if(levels.begin(), levels.end(), [&](double level) {
+      return level < 0.7 * sigma || level > 1.3 * sigma;
+    });
     EXPECT_LT(wrong, static_cast<std::ptrdiff_t>(levels.size() / 100)); // two ranges of 312
   }
 }
@@ -196,20 +196,17 @@ TEST(Layer_around_quadric, knows_the_share_of_heights_in_the_middle)
   constexpr std::size_t k = 544;
   CGAL::Random random(3);
   const std::vector<Point> square = surfaces::square(40000, 8);
-  const auto middle = [&](const auto& height)
-  {
+  const auto middle = [&](const auto& height) {
     std::vector<Point> points;
     for (const Point& p : square)
       points.emplace_back(2000. * p.x(), 2000. * p.y(), height());
     const Neighbor_search search(points, Tag());
     return Layer_around_quadric()(search, Point(1000., 1000., 0.), k).middle;
   };
-  EXPECT_EQ(middle(
-                [&]
-                {
-    const double side = random.get_bool() ? 8. : -8.;
-    return side + surfaces::normal_deviate(random);
-  }),
+  EXPECT_EQ(middle([&] {
+              const double side = random.get_bool() ? 8. : -8.;
+              return side + surfaces::normal_deviate(random);
+            }),
             0.);
   EXPECT_NEAR(middle([&] { return random.uniform_real(-1., 1.); }), 0.289, 0.05);
   EXPECT_NEAR(middle([&] { return surfaces::normal_deviate(random); }), 0.383, 0.05);
@@ -508,8 +505,7 @@ TEST(Columns_of_points, are_few_until_there_are_a_dozen)
 TEST(Columns_of_points, rise_from_the_surface)
 {
   // five points each, at 0.1 spacings, along the direction, at random places of a square
-  const auto columns = [](const Vector& direction, double scatter)
-  {
+  const auto columns = [](const Vector& direction, double scatter) {
     CGAL::Random random(68);
     const auto error = [&] { return scatter * random.uniform_real(-1., 1.); };
     std::vector<Point> points;
@@ -666,8 +662,7 @@ TEST(Planes_of_few_points, turn_from_that_of_many)
 // of it.
 TEST(Planes_of_few_points, take_nothing_from_the_noise_of_planes_and_of_columns)
 {
-  const auto with_and_without_limit = [](const std::vector<Point>& points)
-  {
+  const auto with_and_without_limit = [](const std::vector<Point>& points) {
     const Cloud cloud = make_cloud<Tag>(points, 1e-16);
     const Neighbor_search search(cloud.points, Tag());
     Adaptive_settings settings;
@@ -695,8 +690,9 @@ TEST(Noise_level, of_a_plate_as_thin_as_its_points_are_apart_is_not_its_thicknes
   // In one that bends, without noise, 7 are as well, but 5 are not: it was 0.14 of the thickness.
   plate = thin_plate(1.);
   const double thickness = plate.back().z();
-  const auto bent = [](const Point& p)
-  { return p + Vector(0., 0., 0.02 * std::sin(30. * p.x()) * std::sin(30. * p.y())); };
+  const auto bent = [](const Point& p) {
+    return p + Vector(0., 0., 0.02 * std::sin(30. * p.x()) * std::sin(30. * p.y()));
+  };
   EXPECT_LT(noise_of(each(std::move(plate), bent)), 0.07 * thickness);
 }
 

@@ -88,8 +88,7 @@ std::vector<Point> cube_far_from_a_scanner(std::size_t n, unsigned int seed)
 // corner looks like, unless it is so far that it is no neighbor of any point, or one of many.
 TEST(Outliers, are_not_lone_points_of_a_border)
 {
-  const auto is_outlier_at = [](double x, double y, double z, std::size_t others)
-  {
+  const auto is_outlier_at = [](double x, double y, double z, std::size_t others) {
     std::vector<Point> points = surfaces::square(3000, 3);
     add_outliers_in(CGAL::Bbox_3(0., 0., 0.05, 1., 1., 0.15), others, 4, points);
     points.emplace_back(x, y, z);
@@ -275,11 +274,11 @@ std::ptrdiff_t number_of_mutual_neighbors(const Far_outliers& cloud, std::size_t
     by_distance.emplace_back(CGAL::squared_distance(points[i], points[j]), j);
   std::nth_element(by_distance.begin(), by_distance.begin() + 16, by_distance.end());
   return std::count_if(by_distance.begin(), by_distance.begin() + 17,
-                       [&](const std::pair<double, std::size_t>& neighbor)
-                       {
-    return neighbor.second != i && counts(neighbor.second) &&
-           neighbor.first <= 16. * cloud.shared.features.inverse_density[neighbor.second];
-  });
+                       [&](const std::pair<double, std::size_t>& neighbor) {
+                         return neighbor.second != i && counts(neighbor.second) &&
+                                neighbor.first <=
+                                    16. * cloud.shared.features.inverse_density[neighbor.second];
+                       });
 }
 
 // 1/rho is rounded: for k = 3, 5, 6 or 7, the k-th neighbor was often not inside of its radius, and
@@ -290,8 +289,7 @@ TEST(Outliers, do_not_depend_on_the_unit_for_any_number_of_neighbors)
   add_outliers(points, 2000, 2.4, 187);
   for (std::size_t k : {3u, 5u, 6u, 7u, 10u})
   {
-    const auto number_of_outliers = [&](double unit)
-    {
+    const auto number_of_outliers = [&](double unit) {
       std::vector<Point> scaled;
       for (const Point& p : points)
         scaled.push_back(CGAL::ORIGIN + unit * (p - CGAL::ORIGIN));
@@ -402,17 +400,17 @@ TEST(Outliers,
   std::vector<Point> points = sparse_helix(10., 155);
   const std::size_t surface = points.size();
   add_outliers(points, 2000, 2., 156);
-  const Far_outliers outliers(points, [&](std::size_t i)
-                              { return i >= surface || (points[i].x() > 0.7 && i % 2 == 0); });
+  const Far_outliers outliers(
+      points, [&](std::size_t i) { return i >= surface || (points[i].x() > 0.7 && i % 2 == 0); });
   std::vector<std::uint8_t> expected = outliers.is_outlier;
   bool are_some_space = false;
   for (bool is_any_new = true; is_any_new;)
   {
     is_any_new = false;
     for (std::size_t i : outliers.far_ones)
-      if (expected[i] != 0 &&
-          number_of_mutual_neighbors(outliers, i,
-                                     [&](std::size_t j) { return expected[j] == 0; }) >= 8)
+      if (expected[i] != 0 && number_of_mutual_neighbors(outliers, i, [&](std::size_t j) {
+                                return expected[j] == 0;
+                              }) >= 8)
       {
         const bool is_space = variation_of_twice_the_radius(outliers.cloud, outliers.search, 16,
                                                             i) > largest_variation_of_parts;
@@ -476,8 +474,7 @@ TEST(Outliers, are_found)
 
 TEST(Outliers, are_dense_where_far_points_are_hardly_farther_than_what_is_far)
 {
-  const auto are_dense = [](std::size_t number)
-  {
+  const auto are_dense = [](std::size_t number) {
     std::vector<Point> points = surfaces::sphere(20000, 190);
     add_outliers(points, number, 1.2, 191);
     const Cloud cloud = make_cloud<Tag>(points, 1e-16);
@@ -509,8 +506,7 @@ TEST(Outliers, are_not_dense_where_thin_parts_with_noise_become_sparse)
 TEST(Outliers, are_not_dense_where_few_points_are_far)
 {
   std::vector<Point> points = surfaces::sphere(20000, 190);
-  const auto are_dense = [&]
-  {
+  const auto are_dense = [&] {
     const Cloud cloud = make_cloud<Tag>(points, 1e-16);
     return are_far_points_dense_in(cloud);
   };
@@ -565,8 +561,7 @@ TEST(Outliers, are_found_in_few_points_of_sparse_walls_between_dense_roofs_and_t
 TEST(Outliers, in_a_volume_hardly_sparser_than_the_surface_are_found)
 {
   std::vector<Point> points = with_noise(surfaces::square(20000, 46), 0.002, 47);
-  const auto point_of_box = [](CGAL::Random& random)
-  {
+  const auto point_of_box = [](CGAL::Random& random) {
     const double x = random.uniform_real(0.25, 0.75), y = random.uniform_real(0.25, 0.75);
     return Point(x, y, random.uniform_real(0.2, 0.7));
   };
@@ -600,9 +595,7 @@ TEST(Outliers, are_no_neighbors_once_they_are_removed)
     EXPECT_EQ(shared.features.inverse_density.size(), cloud.size());
     const std::set<Point> kept(cloud.points.begin(), cloud.points.end());
     for (const Point& query : all)
-      search->for_each_nearest(query, 1,
-                               [&](std::size_t, const Point& p, double squared_distance)
-                               {
+      search->for_each_nearest(query, 1, [&](std::size_t, const Point& p, double squared_distance) {
         EXPECT_EQ(kept.count(p), 1u);
         EXPECT_EQ(squared_distance == 0., kept.count(query) == 1u);
       });
@@ -653,8 +646,7 @@ TEST(Outliers, far_from_a_surface_leave_its_border)
 
 TEST(Outliers, are_not_found_in_borders_thin_parts_and_sparse_regions)
 {
-  const auto number_of_outliers = [](const std::vector<Point>& points)
-  {
+  const auto number_of_outliers = [](const std::vector<Point>& points) {
     const std::vector<std::uint8_t> is_outlier = outliers_of(make_cloud<Tag>(points, 1e-16));
     return std::count(is_outlier.begin(), is_outlier.end(), 1);
   };
@@ -724,8 +716,7 @@ TEST(Outliers, in_isolated_clusters_are_found)
 // As the manual says: up to 8 k points, and farther from all else than k neighbors reach
 TEST(Outliers, in_larger_clusters_are_found_with_more_neighbors)
 {
-  const auto share_found = [](std::size_t size, double gap, std::size_t k)
-  {
+  const auto share_found = [](std::size_t size, double gap, std::size_t k) {
     std::vector<Point> points = surfaces::sphere(20000, 41);
     append(points, cluster(size, Point(1.04 + gap, 0., 0.), 0.02, 42));
     const Cloud cloud = make_cloud<Tag>(points, 1e-16);
@@ -809,8 +800,7 @@ TEST(Outliers, that_are_far_leave_thin_parts_that_become_sparse)
 
 TEST(Outliers, are_not_found_in_small_parts)
 {
-  const auto outliers_with = [](const std::vector<Point>& part)
-  {
+  const auto outliers_with = [](const std::vector<Point>& part) {
     std::vector<Point> points = surfaces::sphere(20000, 12);
     append(points, part);
     const Cloud cloud = make_cloud<Tag>(points, 1e-16);
@@ -820,8 +810,7 @@ TEST(Outliers, are_not_found_in_small_parts)
       found += cloud.input_index[i] >= 20000 && is_outlier[i] != 0 ? 1U : 0U;
     return found;
   };
-  const auto moved = [](std::vector<Point> points, double scale)
-  {
+  const auto moved = [](std::vector<Point> points, double scale) {
     for (Point& p : points)
       p = Point(2., 0., 0.) + scale * (p - CGAL::ORIGIN);
     return points;

@@ -75,8 +75,9 @@ TEST(Repulsion, is_the_weighted_mean_of_the_directions_away)
                                      Point(4., 0., 0.)};
   const std::vector<double> squares(4, 4.); // of the spacings
   const Adaptive_settings settings;
-  const auto repulsion = [&](std::vector<std::size_t> neighbors, const std::vector<double>& s)
-  { return tangential_repulsion(x, neighbors, points, s, settings); };
+  const auto repulsion = [&](std::vector<std::size_t> neighbors, const std::vector<double>& s) {
+    return tangential_repulsion(x, neighbors, points, s, settings);
+  };
   EXPECT_NEAR((repulsion({0}, squares) - Vector(-1., 0., 0.)).squared_length(), 0., 1e-28);
   EXPECT_EQ(repulsion({3}, squares), Vector(0., 0., 0.));
   EXPECT_EQ(repulsion({}, squares), Vector(0., 0., 0.));
@@ -129,15 +130,14 @@ std::vector<Point> relaxed_on_a_square(const Adaptive_settings& settings, std::s
 TEST(Relaxation, evens_out_faster_with_long_first_steps)
 {
   // three quarters of the samples start in the left half, and flow to the right
-  const auto samples_on_the_left = [](double length_of_first_steps, std::size_t iterations)
-  {
+  const auto samples_on_the_left = [](double length_of_first_steps, std::size_t iterations) {
     Adaptive_settings settings;
     settings.length_of_first_steps = length_of_first_steps;
     std::size_t left = 0, right = 0;
-    const std::vector<Point> samples = relaxed_on_a_square(settings, iterations,
-                                                           [&](const Point& p) {
-      return p.x() < 0.5 ? left++ < 300 : right++ < 100;
-    });
+    const std::vector<Point> samples =
+        relaxed_on_a_square(settings, iterations, [&](const Point& p) {
+          return p.x() < 0.5 ? left++ < 300 : right++ < 100;
+        });
     return std::count_if(samples.begin(), samples.end(),
                          [](const Point& p) { return p.x() < 0.5; });
   };
@@ -149,8 +149,7 @@ TEST(Relaxation, evens_out_faster_with_long_first_steps)
 TEST(Relaxation, leaves_no_two_samples_close_when_they_take_turns)
 {
   // the least distance of two of 400 samples from a random start, in spacings of a lattice
-  const auto least_distance = [](std::size_t turns)
-  {
+  const auto least_distance = [](std::size_t turns) {
     Adaptive_settings settings;
     settings.turns = turns;
     std::size_t number = 0;

@@ -114,15 +114,15 @@ TEST(Sampling_density, takes_the_mean_over_the_ball_by_area)
   Uninitialized_vector<Surface_piece> pieces;
   for (const Point& p : places)
     pieces.push_back({p, {}, 1., p.x() == 4.1 ? 3. : 1.}); // the area is the last
-  const auto balls_of = [&](const std::vector<Point>& centers, std::size_t number)
-  {
+  const auto balls_of = [&](const std::vector<Point>& centers, std::size_t number) {
     return Surface_balls(centers, pieces, std::vector<std::size_t>(centers.size(), number),
                          Progress(no_callback), Tag());
   };
   // one piece in each range: 0 up to x = 3, 8 from x = 4 on
   const std::vector<double> value = {0., 0., 0., 0., 8., 8.};
-  const auto mean = [&](double p, std::size_t number)
-  { return mean_over_balls<Tag>(value, p, pieces, 1, balls_of(places, number)); };
+  const auto mean = [&](double p, std::size_t number) {
+    return mean_over_balls<Tag>(value, p, pieces, 1, balls_of(places, number));
+  };
   EXPECT_EQ(mean(1., 1), value);
   const std::vector<double> expected = {0., 0., 0., 8. * 3. / 5., 8. * 4. / 5., 8. * 4. / 5.};
   const std::vector<double> found = mean(1., 3);
@@ -169,8 +169,7 @@ TEST(Sampling_density, follows_the_curvature)
   // a torus with radii 3 and 1 has the principal curvatures 1 and 1/4 on the outer side, 1 and -1/2
   // on the inner side
   const Cloud cloud = make_cloud<Tag>(surfaces::torus(100000, 3., 1., 19), 1e-16);
-  const auto ratio = [&](double alpha)
-  {
+  const auto ratio = [&](double alpha) {
     const Sampling_density wanted = density_of(cloud, 4000, alpha, 0.);
     double inner = 0., outer = 0., inner_count = 0., outer_count = 0.;
     for (std::size_t i = 0; i < cloud.size(); ++i)
@@ -192,8 +191,7 @@ TEST(Sampling_density, follows_the_curvature)
   };
   EXPECT_NEAR(ratio(0.), 1., 0.02);
   // the standard deviation of the heights (k1 x^2 + k2 y^2) / 2 over a disk, drawn
-  const auto deviation = [](double k1, double k2)
-  {
+  const auto deviation = [](double k1, double k2) {
     CGAL::Random random(20);
     double sum = 0., squares = 0.;
     const int n = 100000;
@@ -228,8 +226,9 @@ TEST(Surface_pieces, know_the_covariance_of_all_their_points)
     const Surface_balls ball({x}, pieces, {number}, Progress(no_callback), Tag());
     const Deviation found = deviation_from_plane(pieces, ball.of(0), x, 0.);
 
-    const auto offset = [&](const Point& p)
-    { return Eigen::Vector3d(p.x() - x.x(), p.y() - x.y(), p.z() - x.z()); };
+    const auto offset = [&](const Point& p) {
+      return Eigen::Vector3d(p.x() - x.x(), p.y() - x.y(), p.z() - x.z());
+    };
     Eigen::Vector3d mean = Eigen::Vector3d::Zero();
     for (const Point& p : points)
       mean += offset(p) / 1000.;
@@ -279,8 +278,7 @@ TEST(Sampling_density, counts_borders_twice)
 // origin.
 TEST(Sampling_density, of_planes_and_lines_is_even)
 {
-  const auto largest_over_smallest = [](const std::vector<Point>& points)
-  {
+  const auto largest_over_smallest = [](const std::vector<Point>& points) {
     const Cloud cloud = make_cloud<Tag>(points, 1e-16);
     const std::vector<double> density = density_of(cloud, 500, 1., 0.).density;
     return *std::max_element(density.begin(), density.end()) /
@@ -313,8 +311,7 @@ TEST(Sampling_density, takes_less_for_curvature_where_points_share_their_noise)
 {
   const Deviation deviation{0.04, 2., 0., 8., 1.};
   const double sigma = 0.1, shared_sigma = std::sqrt(2.) * sigma;
-  const auto expect = [&](const Noise& noise, double squared_height, double possible)
-  {
+  const auto expect = [&](const Noise& noise, double squared_height, double possible) {
     const Local_curvature local = curvature_of(deviation, noise);
     EXPECT_NEAR(local.curvature, std::sqrt(squared_height) / 2., 1e-12);
     EXPECT_NEAR(local.possible_curvature, std::sqrt(possible) / 2., 1e-12);

@@ -195,9 +195,9 @@ TEST_P(Both_methods, calls_at_the_same_time_do_not_disturb_each_other)
   EXPECT_EQ(found, expected);
 #ifdef CGAL_LINKED_WITH_TBB
   found.assign(scans.size(), {});
-  tbb::parallel_for(std::size_t(0), scans.size(),
-                    [&](std::size_t i)
-                    { found[i] = simplified(scans[i], np::select_percentage(10)); });
+  tbb::parallel_for(std::size_t(0), scans.size(), [&](std::size_t i) {
+    found[i] = simplified(scans[i], np::select_percentage(10));
+  });
   EXPECT_EQ(found, expected);
 #endif
 }
@@ -211,8 +211,10 @@ TEST_P(Both_methods, result_scales_and_moves_with_the_input)
   for (double scale : {1e-300, 1e-6, 0.001, 3., 1e6, 1e300})
   {
     const std::vector<Point> output =
-        simplified(transformed(points, [=](const Point& p)
-                               { return Point(scale * p.x(), scale * p.y(), scale * p.z()); }),
+        simplified(transformed(points,
+                               [=](const Point& p) {
+                                 return Point(scale * p.x(), scale * p.y(), scale * p.z());
+                               }),
                    parameters);
     const std::vector<Point> back = transformed(
         output, [=](const Point& p) { return Point(p.x() / scale, p.y() / scale, p.z() / scale); });
@@ -262,10 +264,10 @@ std::vector<Point> locally_optimal_projection(const std::vector<Point>& P, std::
                                               double h, double mu, int iterations, bool weighted)
 {
   const auto theta = [h](double r) { return r <= h ? std::exp(-r * r / (h / 4.) / (h / 4.)) : 0.; };
-  const auto distance = [](const Point& a, const Point& b)
-  { return std::sqrt(CGAL::squared_distance(a, b)); };
-  const auto densities = [&](const std::vector<Point>& points)
-  {
+  const auto distance = [](const Point& a, const Point& b) {
+    return std::sqrt(CGAL::squared_distance(a, b));
+  };
+  const auto densities = [&](const std::vector<Point>& points) {
     std::vector<double> result(points.size(), 1.);
     if (weighted)
       for (std::size_t i = 0; i < points.size(); ++i)
@@ -385,8 +387,8 @@ TEST_F(Paper, relaxation_keeps_the_tight_side_dense)
   const std::vector<Point> torus = surfaces::torus(20000, 3., 1., 10);
   const auto is_inner = [](const Point& p) { return std::hypot(p.x(), p.y()) < 2.5; };
 
-  const auto ratio = [](const std::vector<Point>& points, const auto& is_in, const auto& parameters)
-  {
+  const auto ratio = [](const std::vector<Point>& points, const auto& is_in,
+                        const auto& parameters) {
     return density_ratio(points, simplified(points, parameters.number_of_output_points(2000)),
                          is_in);
   };
@@ -399,8 +401,9 @@ TEST_F(Paper, relaxation_keeps_the_tight_side_dense)
   EXPECT_GT(ratio(torus, is_inner, np::random_seed(0)), 1.1);
 
   // In the long run, repulsion without curvature evens out, the more so the smaller d is.
-  const auto after_40_iterations = [&](double d)
-  { return ratio(ellipsoid, is_tip, np::number_of_iterations(40).curvature_dependence(d)); };
+  const auto after_40_iterations = [&](double d) {
+    return ratio(ellipsoid, is_tip, np::number_of_iterations(40).curvature_dependence(d));
+  };
   const double without = after_40_iterations(0.), half = after_40_iterations(0.5),
                standard = after_40_iterations(2.);
   EXPECT_GT(half, 1.03 * without);
@@ -410,8 +413,7 @@ TEST_F(Paper, relaxation_keeps_the_tight_side_dense)
 TEST_F(Paper, relaxation_spreads_evenly)
 {
   // nearest-neighbor distances vary by half (sqrt(4/pi - 1) = 0.52) in a random subset
-  const auto variation = [](const std::vector<Point>& points)
-  {
+  const auto variation = [](const std::vector<Point>& points) {
     double sum = 0., squares = 0.;
     for (std::size_t i = 0; i < points.size(); ++i)
     {
@@ -437,8 +439,7 @@ TEST_P(Both_methods, callback_is_monotone_and_reaches_one)
   for (bool option : {false, true})
   {
     std::vector<double> progress;
-    const std::function<bool(double)> record = [&](double p)
-    {
+    const std::function<bool(double)> record = [&](double p) {
       progress.push_back(p);
       return true;
     };
@@ -462,9 +463,7 @@ TEST_P(Both_methods, callback_cancels_without_output)
   for (double end : {0., 0.3, 0.7, 0.99, 1.})
   {
     int calls_after_end = 0;
-    const auto stop = np::callback(
-        [&](double progress)
-        {
+    const auto stop = np::callback([&](double progress) {
       calls_after_end += progress >= end ? 1 : 0;
       return progress < end;
     });
@@ -486,8 +485,7 @@ TEST_P(Both_methods, callback_cancels_without_output)
 TEST_P(Both_methods, callback_is_called_on_the_calling_thread)
 {
   const std::thread::id caller = std::this_thread::get_id();
-  const auto check = [&](double)
-  {
+  const auto check = [&](double) {
     EXPECT_EQ(std::this_thread::get_id(), caller);
     return true;
   };
@@ -503,8 +501,7 @@ TEST_P(Both_methods, report_is_left_as_it_is_unless_the_call_succeeds)
   report.number_of_input_points = 7;
   report.noise_level = -1.;
   report.sorting_time = -1.;
-  const auto expect_untouched = [&]
-  {
+  const auto expect_untouched = [&] {
     EXPECT_EQ(report.number_of_input_points, 7u);
     EXPECT_EQ(report.noise_level, -1.);
     EXPECT_EQ(report.sorting_time, -1.);
@@ -560,8 +557,7 @@ TEST_F(Paper, largest_radius_draws_to_the_center_as_all_do_that_hold_all_points)
   for (Point& p : points)
     p = Point(1e-10 * p.x(), 1e-10 * p.y(), 1e-10 * p.z());
   CGAL::Curvature_aware_simplification_report report;
-  const auto with_radius = [&](double radius)
-  {
+  const auto with_radius = [&](double radius) {
     return simplified(points,
                       np::number_of_output_points(50).neighbor_radius(radius).simplification_report(
                           std::ref(report)));
@@ -592,27 +588,20 @@ TEST(Errors, name_the_parameter_its_value_and_what_is_allowed)
 {
   const std::vector<Point> points = surfaces::sphere(100, 16);
   std::vector<Point> untouched = {Point(1, 2, 3)};
-  const auto message = [&](const auto& parameters)
-  {
-    return message_of(
-        [&]
-        {
+  const auto message = [&](const auto& parameters) {
+    return message_of([&] {
       CGAL::curvature_aware_simplify_point_set<Tag>(points, std::back_inserter(untouched),
                                                     parameters);
     });
   };
-  const auto message_of_subset = [&](const auto& parameters)
-  {
+  const auto message_of_subset = [&](const auto& parameters) {
     std::vector<Point> selected;
-    return message_of(
-        [&]
-        {
+    return message_of([&] {
       CGAL::curvature_aware_random_simplify_point_set<Tag>(points, std::back_inserter(selected),
                                                            parameters);
     });
   };
-  const auto common_message = [&](const auto& parameters)
-  {
+  const auto common_message = [&](const auto& parameters) {
     EXPECT_EQ(message_of_subset(parameters), message(parameters));
     return message(parameters);
   };
@@ -674,8 +663,7 @@ TEST_P(Both_methods, errors_of_the_points)
   EXPECT_EQ(message_of([&] { output = subset(points); }),
             "points is empty, but must hold at least one point");
   std::vector<std::pair<Point, double>> none;
-  const auto variation = [&](std::size_t k)
-  {
+  const auto variation = [&](std::size_t k) {
     CGAL::estimate_surface_variation<Tag>(
         none, k, CGAL::Second_of_pair_property_map<std::pair<Point, double>>(),
         np::point_map(CGAL::First_of_pair_property_map<std::pair<Point, double>>()));
@@ -698,10 +686,9 @@ TEST_P(Both_methods, errors_of_the_points)
             "k is 1, but must be an integer from 2 to 4294967295");
   EXPECT_NE(message_of([&] { variation(std::size_t(-1)); }), "no exception");
 
-  EXPECT_NE(message_of(
-                [&] {
-    simplified(points, np::number_of_output_points(std::int8_t(-3)));
-  }).find("is -3, but"),
+  EXPECT_NE(message_of([&] {
+              simplified(points, np::number_of_output_points(std::int8_t(-3)));
+            }).find("is -3, but"),
             std::string::npos);
 
   points[99] = Point(0., 0., -1e200); // a marker of an invalid measurement
@@ -964,8 +951,7 @@ TEST(Adaptive, does_not_move_samples_of_few_points_among_outliers)
     points.emplace_back(x, y, 0.1 * surfaces::normal_deviate(random));
   }
   for (const Point& p : simplified(points, np::number_of_output_points(12)))
-    EXPECT_TRUE(std::any_of(points.begin(), points.end(),
-                            [&](const Point& q) {
+    EXPECT_TRUE(std::any_of(points.begin(), points.end(), [&](const Point& q) {
       return CGAL::squared_distance(p, q) < 1e-20;
     })) << p;
 }

@@ -154,8 +154,7 @@ TEST(Smoothing_radius, is_small_where_the_shape_has_details)
   const Cloud cloud = make_cloud<Tag>(with_noise(clean, sigma, 91), 0.);
   const double scale = cloud.frame.length_to_frame(sigma);
   const Neighbor_search search(cloud.points, Tag());
-  const auto radii = [&](double spacing_of_samples, bool smooth_by_shape)
-  {
+  const auto radii = [&](double spacing_of_samples, bool smooth_by_shape) {
     Noise_levels noise{std::vector<Noise>(64, Noise{scale, scale}), cloud.size()};
     noise.make_visible_above(0.);
     noise.of_range[63].radius_of_columns = scale;
@@ -221,8 +220,7 @@ TEST(Smoothing_radius, keeps_details)
   const Cloud cloud = make_cloud<Tag>(with_noise(points, sigma, 93), 0.);
   const Neighbor_search search(cloud.points, Tag());
   const double scale = cloud.frame.length_to_frame(sigma);
-  const auto part_lost = [&](bool smooth_by_shape)
-  {
+  const auto part_lost = [&](bool smooth_by_shape) {
     Noise_levels noise{std::vector<Noise>(64, Noise{scale, scale}), cloud.size()};
     noise.make_visible_above(0.);
     Adaptive_settings settings;
@@ -254,8 +252,9 @@ TEST(Thinning, keeps_a_neighborhood_in_each_ball_where_points_are_smoothed)
   noise.make_visible_above(0.0075); // half of 0.02, not half of 0.01
   smooth_as_usual(noise);
   const std::vector<std::size_t> kept = thin_points<Tag>(inverse_density, noise, 1000);
-  const auto kept_before = [&](std::size_t i)
-  { return std::lower_bound(kept.begin(), kept.end(), i) - kept.begin(); };
+  const auto kept_before = [&](std::size_t i) {
+    return std::lower_bound(kept.begin(), kept.end(), i) - kept.begin();
+  };
   EXPECT_EQ(kept_before(10000), 10000);
   EXPECT_NEAR(static_cast<double>(kept_before(20000)), 10000. + 10000. * 25. / 192., 1.);
   EXPECT_NEAR(static_cast<double>(kept_before(30000)), 10000. + 20000. * 25. / 192., 1.);
@@ -323,8 +322,7 @@ TEST(Thinning, leaves_four_neighborhoods_in_balls_of_dense_noise)
   const Neighbor_search search(cloud.points, Tag());
   const double sigma = cloud.frame.length_to_frame(0.01);
   Noise_levels noise = uniform_noise(sigma, cloud.size());
-  const auto parts = [&](double visible_error)
-  {
+  const auto parts = [&](double visible_error) {
     noise.make_visible_above(visible_error);
     return parts_against_noise<Tag>(cloud.points, search, noise, Adaptive_settings());
   };
@@ -362,8 +360,7 @@ TEST(Thinning, ends_where_noise_is_not_too_dense)
   const std::size_t size = cloud.size();
   auto search = std::make_unique<Neighbor_search>(cloud.points, Tag());
   const double sigma = cloud.frame.length_to_frame(0.01);
-  const auto thin = [&](std::size_t number_of_samples)
-  {
+  const auto thin = [&](std::size_t number_of_samples) {
     Noise_levels noise = uniform_noise(sigma, cloud.size());
     return thin_dense_noise<Tag>(cloud, search, noise, Depth_levels(), 0., number_of_samples,
                                  Adaptive_settings());
@@ -438,8 +435,7 @@ TEST(Smoothing, takes_points_far_off_to_the_surface_as_well)
 {
   const double sigma = 0.025;
   const std::vector<Point> points = with_noise(surfaces::square(40000, 101), sigma, 102);
-  const auto left = [&](bool around_foot_points)
-  {
+  const auto left = [&](bool around_foot_points) {
     Adaptive_settings settings;
     settings.smooth_around_foot_points = around_foot_points;
     double sum = 0., number = 0.;
@@ -526,8 +522,7 @@ TEST(Smoothing, does_not_round_sharp_edges_more_than_noise_does)
   const double sigma = 0.0005;
   const std::vector<Point> exact = cube(100000, 88);
   const std::vector<Point> points = with_noise(exact, sigma, 89);
-  const auto error_in_sigma = [&](bool near_edges, double residuals_explained_by_noise)
-  {
+  const auto error_in_sigma = [&](bool near_edges, double residuals_explained_by_noise) {
     Adaptive_settings settings;
     settings.residuals_explained_by_noise = residuals_explained_by_noise;
     const Smoothed result = smoothed(points, sigma, 10000, settings);
@@ -581,8 +576,7 @@ TEST(Bias_of_noise, is_taken_away)
 {
   const double sigma = 0.08;
   const std::vector<Point> points = with_noise(surfaces::sphere(60000, 103), sigma, 104);
-  const auto mean_height = [&](bool correct)
-  {
+  const auto mean_height = [&](bool correct) {
     Adaptive_settings settings;
     settings.correct_bias_of_noise = correct;
     std::vector<Point> output;

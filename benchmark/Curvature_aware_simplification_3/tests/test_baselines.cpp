@@ -173,8 +173,7 @@ TEST(StochasticSampling, PrefersCurvature)
 {
   // the poles of the ellipsoid, above half of its height, bend more than its waist
   const Points ellipsoid = surfaces::ellipsoid(20000, 3., 5);
-  const auto share_at_poles = [](const Points& points)
-  {
+  const auto share_at_poles = [](const Points& points) {
     const auto count = std::count_if(points.begin(), points.end(),
                                      [](const Point& p) { return std::abs(p.z()) > 2.5; });
     return static_cast<double>(count) / static_cast<double>(points.size());
@@ -337,8 +336,7 @@ TEST(ParticleSimulation, ForceByHand)
 TEST(ParticleSimulation, IsDenserWhereTheSurfaceBends)
 {
   const Points ellipsoid = surfaces::ellipsoid(20000, 3., 5);
-  const auto at_poles = [&](double scale)
-  {
+  const auto at_poles = [&](double scale) {
     Particle_simulation_parameters parameters;
     parameters.scale = scale;
     const Points points = mls_particle_simulation(ellipsoid, 2000, parameters);
@@ -393,26 +391,30 @@ INSTANTIATE_TEST_SUITE_P(
                     Baseline{"voxel_centroids", voxel_centroids_to_count, false, 0, 0.04, 0.004},
                     Baseline{"grid", grid_points_to_count, true, 0, 1e-12, 1e-12},
                     Baseline{"hierarchy",
-                             [](const Points& points, std::size_t n)
-                             { return hierarchy_points_of_size(points, n, 30); },
+                             [](const Points& points, std::size_t n) {
+                               return hierarchy_points_of_size(points, n, 30);
+                             },
                              true, 2, 1e-12, 1e-12},
                     Baseline{"stochastic_sampling",
-                             [](const Points& points, std::size_t n)
-                             { return stochastic_sampling(points, n); },
+                             [](const Points& points, std::size_t n) {
+                               return stochastic_sampling(points, n);
+                             },
                              true, 0, 1e-12, 1e-12},
                     Baseline{"classical_lop",
                              [](const Points& points, std::size_t n) {
-  return classical_lop(points, n, 2.5 * diagonal(points) / 100., 10);
+                               return classical_lop(points, n, 2.5 * diagonal(points) / 100., 10);
                              },
                              false, 0, 0.04, 0.004},
                     Baseline{"mean_shift",
                              [](const Points& points, std::size_t n) {
-  return mean_shift_points_of_size(points, n, 30);
+                               return mean_shift_points_of_size(points, n, 30);
                              },
                              false, 2, 0.004, 4e-4},
-    Baseline{"particle_simulation",
-             [](const Points& points, std::size_t n) { return mls_particle_simulation(points, n); },
-             false, 0, 0.004, 4e-4}),
+                    Baseline{"particle_simulation",
+                             [](const Points& points, std::size_t n) {
+                               return mls_particle_simulation(points, n);
+                             },
+                             false, 0, 0.004, 4e-4}),
     [](const auto& info) { return info.param.name; });
 
 } // namespace

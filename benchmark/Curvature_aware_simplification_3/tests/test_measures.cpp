@@ -97,8 +97,9 @@ TEST(Degradations, do_what_they_say)
   std::size_t alone = 0;
   for (std::size_t i = 20002; i + 2 < clusters.size(); ++i)
   {
-    const auto is_near = [&](std::size_t j)
-    { return std::sqrt(CGAL::squared_distance(clusters[i], clusters[j])) < 0.05 * unit; };
+    const auto is_near = [&](std::size_t j) {
+      return std::sqrt(CGAL::squared_distance(clusters[i], clusters[j])) < 0.05 * unit;
+    };
     alone += is_near(i - 1) || is_near(i + 1) ? 0u : 1u;
   }
   EXPECT_EQ(alone, 0u);
@@ -232,9 +233,8 @@ Points blue_noise(const Points& candidates, double radius, std::size_t n)
 {
   Points result;
   for (const Point& p : candidates)
-    if (result.size() < n && std::none_of(result.begin(), result.end(),
-                                          [&](const Point& q) {
-      return CGAL::squared_distance(p, q) < radius * radius;
+    if (result.size() < n && std::none_of(result.begin(), result.end(), [&](const Point& q) {
+          return CGAL::squared_distance(p, q) < radius * radius;
         }))
       result.push_back(p);
   return result;
@@ -247,8 +247,7 @@ TEST(Regularity, ranks_blue_noise_jittered_and_random_points)
   CGAL::Random random(9);
   const std::size_t n = 900;
   const auto plane = [](double u, double v) { return Point(u, v, 0.); };
-  const auto torus_map = [](double u, double v)
-  {
+  const auto torus_map = [](double u, double v) {
     // equal area: v is the angle for which v + sin(v) / 3 is uniform, by fixed point iteration
     double angle = 2. * CGAL_PI * v;
     for (int i = 0; i < 50; ++i)
@@ -256,8 +255,7 @@ TEST(Regularity, ranks_blue_noise_jittered_and_random_points)
     const double r = 3. + std::cos(angle);
     return Point(r * std::cos(2. * CGAL_PI * u), r * std::sin(2. * CGAL_PI * u), std::sin(angle));
   };
-  const auto test = [&](const auto& map, double area)
-  {
+  const auto test = [&](const auto& map, double area) {
     Points candidates, jittered, uniform;
     for (int i = 0; i < 100000; ++i)
     {

@@ -42,10 +42,10 @@ auto rejection_sampling(CGAL::Random& random, double bound, const Propose& propo
 
 inline Analytic_surface sphere()
 {
-  return {[](CGAL::Random& random) { return CGAL::ORIGIN + surfaces::random_direction(random); },
-          [](const Point& p)
-          { return std::abs(std::sqrt((p - CGAL::ORIGIN).squared_length()) - 1.); },
-          nullptr};
+  return {
+      [](CGAL::Random& random) { return CGAL::ORIGIN + surfaces::random_direction(random); },
+      [](const Point& p) { return std::abs(std::sqrt((p - CGAL::ORIGIN).squared_length()) - 1.); },
+      nullptr};
 }
 
 // radii 3 and 1
@@ -59,8 +59,9 @@ inline Analytic_surface torus()
 // method in the angle of the nearest point, from the best of a few angles
 inline double distance_to_ellipse(double x, double y, double a, double b)
 {
-  const auto squared_distance = [=](double t)
-  { return std::pow(a * std::cos(t) - x, 2) + std::pow(b * std::sin(t) - y, 2); };
+  const auto squared_distance = [=](double t) {
+    return std::pow(a * std::cos(t) - x, 2) + std::pow(b * std::sin(t) - y, 2);
+  };
   double best = 0.;
   for (int i = 0; i <= 32; ++i)
     if (squared_distance(i * CGAL_PI / 64.) < squared_distance(best))
@@ -80,8 +81,9 @@ inline double distance_to_ellipse(double x, double y, double a, double b)
 inline Analytic_surface ellipsoid()
 {
   return {[](CGAL::Random& random) { return surfaces::random_point_on_ellipsoid(random, 3.); },
-          [](const Point& p)
-          { return distance_to_ellipse(std::hypot(p.x(), p.y()), std::abs(p.z()), 1., 3.); },
+          [](const Point& p) {
+            return distance_to_ellipse(std::hypot(p.x(), p.y()), std::abs(p.z()), 1., 3.);
+          },
           nullptr};
 }
 
@@ -91,20 +93,17 @@ inline Analytic_surface rounded_box()
 {
   const double half = 1., radius = 0.4, height = 0.5, straight = half - radius;
   // signed distance to the outline of the base: a square grown by a disk
-  const auto outline_distance = [=](double x, double y)
-  {
+  const auto outline_distance = [=](double x, double y) {
     const double u = std::abs(x) - straight, v = std::abs(y) - straight;
     return std::hypot(std::max(u, 0.), std::max(v, 0.)) + std::min(std::max(u, v), 0.) - radius;
   };
-  const auto distance = [=](const Point& p)
-  {
+  const auto distance = [=](const Point& p) {
     const double d = outline_distance(p.x(), p.y()), e = std::abs(p.z()) - height;
     return std::abs(std::hypot(std::max(d, 0.), std::max(e, 0.)) + std::min(std::max(d, e), 0.));
   };
   const double arcs = 2. * CGAL_PI * radius, perimeter = 8. * straight + arcs;
   const double cap = 4. * half * half - (4. - CGAL_PI) * radius * radius;
-  const auto random_point = [=](CGAL::Random& random)
-  {
+  const auto random_point = [=](CGAL::Random& random) {
     const double sign = random.uniform_real(0., 1.) < 0.5 ? -1. : 1.;
     if (random.uniform_real(0., 2. * cap + 2. * height * perimeter) < 2. * cap)
     {
@@ -136,22 +135,20 @@ inline Analytic_surface wavy_patch()
   const auto height = [=](double x, double y) { return a * std::sin(w * x) * std::cos(w * y); };
   const auto dx = [=](double x, double y) { return a * w * std::cos(w * x) * std::cos(w * y); };
   const auto dy = [=](double x, double y) { return -a * w * std::sin(w * x) * std::sin(w * y); };
-  const auto random_point = [=](CGAL::Random& random)
-  {
+  const auto random_point = [=](CGAL::Random& random) {
     const auto [x, y] = rejection_sampling(
         random, std::hypot(1., a * w),
-        [&]
-        {
-      const double u = random.uniform_real(0., 1.);
-      return std::make_pair(u, random.uniform_real(0., 1.));
+        [&] {
+          const double u = random.uniform_real(0., 1.);
+          return std::make_pair(u, random.uniform_real(0., 1.));
         },
-        [=](const auto& uv)
-        { return std::hypot(1., dx(uv.first, uv.second), dy(uv.first, uv.second)); });
+        [=](const auto& uv) {
+          return std::hypot(1., dx(uv.first, uv.second), dy(uv.first, uv.second));
+        });
     return Point(x, y, height(x, y));
   };
   // Gauss-Newton in (x, y), kept inside the square
-  const auto distance = [=](const Point& p)
-  {
+  const auto distance = [=](const Point& p) {
     double x = std::clamp(p.x(), 0., 1.), y = std::clamp(p.y(), 0., 1.);
     for (int i = 0; i < 30; ++i)
     {
@@ -164,8 +161,7 @@ inline Analytic_surface wavy_patch()
     }
     return std::sqrt(CGAL::squared_distance(p, Point(x, y, height(x, y))));
   };
-  const auto border = [=](double t)
-  {
+  const auto border = [=](double t) {
     const double s = 4. * t - std::floor(4. * t);
     const double x = t < 0.25 ? s : t < 0.5 ? 1. : t < 0.75 ? 1. - s : 0.;
     const double y = t < 0.25 ? 0. : t < 0.5 ? s : t < 0.75 ? 1. : 1. - s;
@@ -227,8 +223,7 @@ inline Analytic_surface tree()
   grow(tubes[0], 6, 0.45, 0.012, tubes);
   for (std::size_t branch = 1; branch <= 6; ++branch)
     grow(tubes[branch], 4, 0.2, 0.008, tubes);
-  const auto signed_distance = [tubes](const Point& p)
-  {
+  const auto signed_distance = [tubes](const Point& p) {
     double distance = tubes[0].signed_distance(p);
     for (const Tube& tube : tubes)
       distance = std::min(distance, tube.signed_distance(p));
@@ -238,8 +233,7 @@ inline Analytic_surface tree()
   for (const Tube& tube : tubes)
     area.push_back((area.empty() ? 0. : area.back()) +
                    tube.radius * (tube.length() + 2. * tube.radius));
-  const auto random_point = [=](CGAL::Random& random)
-  {
+  const auto random_point = [=](CGAL::Random& random) {
     while (true) // until it is in no other tube
     {
       const auto of_tube =

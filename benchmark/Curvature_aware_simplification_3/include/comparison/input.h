@@ -53,8 +53,9 @@ inline Input make_input(const std::string& name, std::size_t number_of_points,
       if (!CGAL::IO::read_points(name, std::back_inserter(input.clean)) || input.clean.empty())
         throw std::runtime_error("cannot read " + name);
       const auto projection = std::make_shared<Mls_projection>(input.clean);
-      input.reference.distance = [projection](const Point& p)
-      { return std::sqrt(CGAL::squared_distance(p, (*projection)(p))); };
+      input.reference.distance = [projection](const Point& p) {
+        return std::sqrt(CGAL::squared_distance(p, (*projection)(p)));
+      };
       input.reference.samples = input.clean;
     }
     else

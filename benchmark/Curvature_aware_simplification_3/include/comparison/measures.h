@@ -58,9 +58,9 @@ inline Distance_statistics border_distance(const Points& output, const Points& b
   const Neighbor_search search(output, Tag());
   std::vector<double> result;
   for (const Point& p : border)
-    search.for_each_nearest(p, 1,
-                            [&](std::size_t, const Point&, double squared_distance)
-                            { result.push_back(std::sqrt(squared_distance) / spacing); });
+    search.for_each_nearest(p, 1, [&](std::size_t, const Point&, double squared_distance) {
+      result.push_back(std::sqrt(squared_distance) / spacing);
+    });
   return statistics(result);
 }
 

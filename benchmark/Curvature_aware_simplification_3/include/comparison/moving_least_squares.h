@@ -51,11 +51,10 @@ private:
     double squared_radius = 0.;
     Weighted_points neighbors;
     m_search.for_each_nearest(query, std::min<std::size_t>(24, m_size),
-                              [&](std::size_t, const Point& p, double squared_distance)
-                              {
-      squared_radius = std::max(squared_radius, squared_distance);
-      neighbors.emplace_back(vector(p), squared_distance);
-    });
+                              [&](std::size_t, const Point& p, double squared_distance) {
+                                squared_radius = std::max(squared_radius, squared_distance);
+                                neighbors.emplace_back(vector(p), squared_distance);
+                              });
     double sum = 0.;
     Eigen::Vector3d center = Eigen::Vector3d::Zero();
     for (auto& [p, weight] : neighbors)

@@ -27,8 +27,9 @@ inline Mesh quadric_edge_collapse(const Mesh& mesh, std::size_t n)
 
   // A closed mesh has about 3 edges for each vertex. CGAL's predicate that counts them changed its
   // name.
-  const auto stop = [n](const auto&, const auto&, std::size_t, std::size_t number_of_edges)
-  { return number_of_edges < 3 * n; };
+  const auto stop = [n](const auto&, const auto&, std::size_t, std::size_t number_of_edges) {
+    return number_of_edges < 3 * n;
+  };
   const simplification::GarlandHeckbert_plane_policies<Surface_mesh, Kernel> policies(surface);
   simplification::edge_collapse(
       surface, stop,

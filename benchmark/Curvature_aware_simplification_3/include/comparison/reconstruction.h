@@ -59,9 +59,7 @@ std::vector<double> distances(const Points& points, const Distance& distance)
   std::vector<std::size_t> indices(points.size());
   std::iota(indices.begin(), indices.end(), std::size_t(0));
   std::vector<double> result(points.size());
-  CGAL::for_each<Tag>(indices,
-                      [&](const std::size_t& i) -> bool
-                      {
+  CGAL::for_each<Tag>(indices, [&](const std::size_t& i) -> bool {
     result[i] = distance(points[i]);
     return true;
   });

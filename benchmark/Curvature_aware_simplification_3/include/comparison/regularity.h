@@ -24,9 +24,9 @@ inline std::vector<double> nearest_neighbor_distances(const Points& points)
   for (const Point& p : points)
   {
     double squared = 0.; // the farther of the two nearest, of which one is the point itself
-    search.for_each_nearest(p, 2,
-                            [&](std::size_t, const Point&, double squared_distance)
-                            { squared = std::max(squared, squared_distance); });
+    search.for_each_nearest(p, 2, [&](std::size_t, const Point&, double squared_distance) {
+      squared = std::max(squared, squared_distance);
+    });
     result.push_back(std::sqrt(squared));
   }
   return result;
@@ -110,8 +110,9 @@ inline double spacing_variation(const Points& points)
   {
     double squared_radius = 0.;
     search.for_each_nearest(points[i], k + 1,
-                            [&](std::size_t, const Point&, double squared_distance)
-                            { squared_radius = std::max(squared_radius, squared_distance); });
+                            [&](std::size_t, const Point&, double squared_distance) {
+                              squared_radius = std::max(squared_radius, squared_distance);
+                            });
     // the factor between radius and spacing is the same for all, and cancels
     if (squared_radius > 0.)
       ratios.push_back(nearest[i] / std::sqrt(squared_radius));

@@ -55,8 +55,7 @@ std::vector<std::size_t> distinct_indices(const Cloud& cloud)
   std::vector<std::size_t> result(cloud.input_size());
   for_each_index<ConcurrencyTag>(0, cloud.size(),
                                  [&](std::size_t i) { result[cloud.input_index[i]] = i; });
-  for_each_index<ConcurrencyTag>(0, cloud.duplicates.size(),
-                                 [&](std::size_t d) {
+  for_each_index<ConcurrencyTag>(0, cloud.duplicates.size(), [&](std::size_t d) {
     result[cloud.duplicates[d].index] = result[cloud.duplicates[d].first];
   });
   return result;
@@ -111,8 +110,7 @@ Uninitialized_vector<Sort_traits::Point_3> distinct_points(const std::vector<Poi
                                  [&](std::size_t d) { is_duplicate[duplicates[d].index] = 1; });
   const std::vector<std::size_t> firsts =
       indices_where<ConcurrencyTag>(n, [&](std::size_t i) { return is_duplicate[i] == 0; });
-  for_each_index<ConcurrencyTag>(0, distinct.size(),
-                                 [&](std::size_t i) {
+  for_each_index<ConcurrencyTag>(0, distinct.size(), [&](std::size_t i) {
     distinct[i] = {points[firsts[i]], firsts[i]};
   });
   return distinct;
@@ -131,9 +129,7 @@ Cloud make_cloud(std::vector<Point> coordinates, double relative_error)
   const Frame frame(box, most);
   const double largest_coordinate =
       (std::max)({-most.xmin(), -most.ymin(), -most.zmin(), most.xmax(), most.ymax(), most.zmax()});
-  for_each_index<ConcurrencyTag>(0, n,
-                                 [&](std::size_t i)
-                                 {
+  for_each_index<ConcurrencyTag>(0, n, [&](std::size_t i) {
     const Point& p = coordinates[i];
     coordinates[i] = frame.to_frame(p.x(), p.y(), p.z());
   });
@@ -147,9 +143,7 @@ Cloud make_cloud(std::vector<Point> coordinates, double relative_error)
 
   std::vector<Point> points(sorted.size());
   Uninitialized_vector<std::size_t> input_index(sorted.size());
-  for_each_index<ConcurrencyTag>(0, sorted.size(),
-                                 [&](std::size_t i)
-                                 {
+  for_each_index<ConcurrencyTag>(0, sorted.size(), [&](std::size_t i) {
     points[i] = sorted[i].point;
     input_index[i] = sorted[i].index;
   });

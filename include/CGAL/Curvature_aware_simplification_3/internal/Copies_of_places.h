@@ -36,14 +36,13 @@ std::vector<std::vector<double>> distances_of_neighbors(const std::vector<Point>
   constexpr std::size_t enough = 128 * 64;
   std::vector<std::vector<double>> distances(
       (std::min)(enough / number_of_neighbors, points.size()));
-  for_each_index<ConcurrencyTag>(0, distances.size(),
-                                 [&](std::size_t probe)
-                                 {
+  for_each_index<ConcurrencyTag>(0, distances.size(), [&](std::size_t probe) {
     std::vector<double>& here = distances[probe];
     const Point& p = points[middle_of_part(probe, distances.size(), points.size())];
     search.for_each_nearest(p, number_of_neighbors + 1,
-                            [&](std::size_t, const Point&, double squared_distance)
-                            { here.push_back(std::sqrt(squared_distance)); });
+                            [&](std::size_t, const Point&, double squared_distance) {
+                              here.push_back(std::sqrt(squared_distance));
+                            });
     std::sort(here.begin(), here.end());
     here.erase(here.begin()); // the point itself
   });

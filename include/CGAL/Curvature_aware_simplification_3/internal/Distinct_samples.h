@@ -60,8 +60,9 @@ Distinct_samples all_and_duplicates(const Cloud& cloud, std::size_t number, std:
   if (number == cloud.size())
     return samples;
   const Counter_based_random random(seed, 1);
-  const auto key = [&](const Duplicate& d)
-  { return std::make_pair(random.bits(d.index), d.index); };
+  const auto key = [&](const Duplicate& d) {
+    return std::make_pair(random.bits(d.index), d.index);
+  };
   std::vector<Duplicate> chosen = cloud.duplicates;
   const auto end = chosen.begin() + static_cast<std::ptrdiff_t>(number - cloud.size());
   if (end != chosen.end())

@@ -51,8 +51,9 @@ public:
   // have no numbers.
   Point from_frame(const Point& p, double largest = (std::numeric_limits<double>::max)()) const
   {
-    const auto coordinate = [&](int axis)
-    { return (std::clamp)(m_center[axis] + length_from_frame(p[axis]), -largest, largest); };
+    const auto coordinate = [&](int axis) {
+      return (std::clamp)(m_center[axis] + length_from_frame(p[axis]), -largest, largest);
+    };
     return Point(coordinate(0), coordinate(1), coordinate(2));
   }
 

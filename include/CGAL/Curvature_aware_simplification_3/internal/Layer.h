@@ -92,8 +92,8 @@ struct Layer_around_quadric
     const double half = neighborhood.radius * std::sqrt(sum / n) / 2.;
     const auto middle = std::count_if(neighborhood.neighbors.begin(), neighborhood.neighbors.end(),
                                       [&](const Neighborhood::Neighbor& neighbor) {
-      return std::abs(surface.residual(neighbor.position)) < half;
-    });
+                                        return std::abs(surface.residual(neighbor.position)) < half;
+                                      });
     return {neighborhood.radius * thickness(sum, neighborhood.size(), 6.),
             radius_of_disk(lambda(1)), radius_of_disk(lambda(2)), kurtosis,
             static_cast<double>(middle) / n};

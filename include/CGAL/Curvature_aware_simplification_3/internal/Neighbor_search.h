@@ -95,9 +95,9 @@ public:
   double squared_distance_of_nearest(const Point& query, std::size_t k) const
   {
     double largest = 0.;
-    for_each_nearest(query, k,
-                     [&](std::size_t, const Point&, double squared_distance)
-                     { largest = (std::max)(largest, squared_distance); });
+    for_each_nearest(query, k, [&](std::size_t, const Point&, double squared_distance) {
+      largest = (std::max)(largest, squared_distance);
+    });
     return largest;
   }
 
@@ -116,11 +116,10 @@ public:
                        std::size_t most = (std::numeric_limits<std::size_t>::max)()) const
   {
     are_more_within(center, radius, most,
-                    [&](std::size_t i, const Point& p, double squared_distance)
-                    {
-      function(i, p, squared_distance);
-      return true;
-    });
+                    [&](std::size_t i, const Point& p, double squared_distance) {
+                      function(i, p, squared_distance);
+                      return true;
+                    });
   }
 
   // Whether more than `most` points in the closed ball pass test(index, point, squared distance),
@@ -129,8 +128,7 @@ public:
   bool are_more_within(const Point& center, double radius, std::size_t most, const Test& test) const
   {
     std::size_t left = (std::min)(most, m_tree.size()) + 1;
-    const auto visit = [&](const Point_with_index& p)
-    {
+    const auto visit = [&](const Point_with_index& p) {
       if (left > 0 && !is_hidden(p) && test(p.second, p.first, squared_distance(center, p.first)))
         --left;
     };
@@ -202,8 +200,7 @@ private:
     template <typename Box>
     bool inner_range_intersects(const Box& box) const
     {
-      const auto outside = [&](int axis)
-      {
+      const auto outside = [&](int axis) {
         return (std::max)(
             {box.min_coord(axis) - center[axis], center[axis] - box.max_coord(axis), 0.});
       };
@@ -235,9 +232,9 @@ private:
   {
     if (m_is_hidden.empty())
       return 0;
-    return static_cast<std::size_t>(std::count_if(search.begin(), search.end(),
-                                                  [&](const auto& neighbor)
-                                                  { return is_hidden(neighbor.first); }));
+    return static_cast<std::size_t>(
+        std::count_if(search.begin(), search.end(),
+                      [&](const auto& neighbor) { return is_hidden(neighbor.first); }));
   }
 
   Tree m_tree;

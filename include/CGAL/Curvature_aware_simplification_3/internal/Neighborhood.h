@@ -55,9 +55,7 @@ struct Neighborhood
     center = query;
     neighbors.clear();
     double squared_radius = 0.;
-    search.for_each_nearest(query, k,
-                            [&](std::size_t, const Point& p, double squared_distance)
-                            {
+    search.for_each_nearest(query, k, [&](std::size_t, const Point& p, double squared_distance) {
       squared_radius = (std::max)(squared_radius, squared_distance);
       neighbors.push_back({p - query, squared_distance, 1.});
     });
@@ -75,7 +73,7 @@ struct Neighborhood
     search.for_each_within(
         query, ball_radius,
         [&](std::size_t, const Point& p, double squared_distance) {
-      neighbors.push_back({p - query, squared_distance, 1.});
+          neighbors.push_back({p - query, squared_distance, 1.});
         },
         most);
   }
@@ -121,9 +119,10 @@ struct Neighborhood
   {
     constexpr double between = 3. / 8.;
     const double squared_radius = radius * radius / 4.;
-    const auto inner = std::count_if(neighbors.begin(), neighbors.end(),
-                                     [&](const Neighbor& neighbor)
-                                     { return neighbor.squared_distance < squared_radius; });
+    const auto inner =
+        std::count_if(neighbors.begin(), neighbors.end(), [&](const Neighbor& neighbor) {
+          return neighbor.squared_distance < squared_radius;
+        });
     return static_cast<double>(inner) > between * static_cast<double>(size());
   }
 
@@ -131,10 +130,10 @@ struct Neighborhood
   Point nearest(const Point& x) const
   {
     const Vector offset = center - x;
-    const auto found = std::min_element(neighbors.begin(), neighbors.end(),
-                                        [&](const Neighbor& p, const Neighbor& q) {
-      return (p.position + offset).squared_length() < (q.position + offset).squared_length();
-    });
+    const auto found = std::min_element(
+        neighbors.begin(), neighbors.end(), [&](const Neighbor& p, const Neighbor& q) {
+          return (p.position + offset).squared_length() < (q.position + offset).squared_length();
+        });
     return center + found->position;
   }
 

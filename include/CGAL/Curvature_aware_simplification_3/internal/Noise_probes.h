@@ -69,13 +69,11 @@ Noise_probes noise_probes(const std::vector<Point>& points, std::size_t most)
   const std::size_t ranges = (std::max)(number / in_range, std::size_t(1));
   probes.of_range.resize(ranges);
   const Neighbor_search search(probes.points, ConcurrencyTag());
-  for_each_index<ConcurrencyTag>(0, ranges,
-                                 [&](std::size_t range)
-                                 {
+  for_each_index<ConcurrencyTag>(0, ranges, [&](std::size_t range) {
     const Point& middle = probes.points[middle_of_part(range, ranges, number)];
-    search.for_each_nearest(middle, in_median,
-                            [&](std::size_t i, const Point&, double)
-                            { probes.of_range[range].push_back(i); });
+    search.for_each_nearest(middle, in_median, [&](std::size_t i, const Point&, double) {
+      probes.of_range[range].push_back(i);
+    });
   });
   return probes;
 }
@@ -99,9 +97,7 @@ auto at_probes(const Noise_probes& probes, const std::vector<std::size_t>& range
     for (std::size_t i : probes.of_range[range])
       is_needed[i] = 1;
   std::vector<std::decay_t<decltype(function(std::size_t(0)))>> values(probes.points.size());
-  for_each_index<ConcurrencyTag>(0, values.size(),
-                                 [&](std::size_t i)
-                                 {
+  for_each_index<ConcurrencyTag>(0, values.size(), [&](std::size_t i) {
     if (is_needed[i] != 0)
       values[i] = function(i);
   });
@@ -118,9 +114,7 @@ std::vector<Layer> median_layers(const Noise_probes& probes, const std::vector<s
   const std::vector<Layer> layers = at_probes<ConcurrencyTag>(
       probes, ranges, [&](std::size_t i) { return layer_around(search, probes.points[i], k); });
   std::vector<Layer> medians(probes.of_range.size());
-  for_each_index<ConcurrencyTag>(0, ranges.size(),
-                                 [&](std::size_t r)
-                                 {
+  for_each_index<ConcurrencyTag>(0, ranges.size(), [&](std::size_t r) {
     const std::vector<std::size_t>& of_range = probes.of_range[ranges[r]];
     medians[ranges[r]] = {median_of(of_range, [&](std::size_t i) { return layers[i].thickness; }),
                           median_of(of_range, [&](std::size_t i) { return layers[i].width; }),

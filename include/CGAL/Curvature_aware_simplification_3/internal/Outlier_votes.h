@@ -43,12 +43,11 @@ inline bool is_off_plane_of_neighbors(const Cloud& cloud, const Neighbor_search&
   Covariance_sums sums;
   double squared_radius = 0.;
   search.for_each_nearest(cloud.points[i], k + 1,
-                          [&](std::size_t j, const Point& p, double squared_distance)
-                          {
-    squared_radius = (std::max)(squared_radius, squared_distance);
-    if (j != i && is_outlier[j] == 0)
-      sums.add(p - cloud.points[i]);
-  });
+                          [&](std::size_t j, const Point& p, double squared_distance) {
+                            squared_radius = (std::max)(squared_radius, squared_distance);
+                            if (j != i && is_outlier[j] == 0)
+                              sums.add(p - cloud.points[i]);
+                          });
   return sums.weight < 3. ||
          std::abs(sums.mean() * principal_axis(sums, 0)) >= far_off * std::sqrt(squared_radius);
 }
@@ -77,8 +76,7 @@ public:
       m_is_in_layer(cloud.size(), 0),
       m_is_outlier(is_outlier)
   {
-    for_each_index<ConcurrencyTag>(0, cloud.size(),
-                                   [&](std::size_t i) {
+    for_each_index<ConcurrencyTag>(0, cloud.size(), [&](std::size_t i) {
       m_votes[i].store(shared.votes[i] + 1, std::memory_order_relaxed);
     });
   }
@@ -107,12 +105,11 @@ public:
   {
     const std::vector<std::size_t> found =
         with_less_votes([&](std::size_t i) { return few_votes(i); },
-                        [&](std::size_t i)
-                        {
-      return votes(i) < m_quarter || !m_settings.keep_sparse_surfaces ||
-             variation_of_twice_the_radius(m_cloud, m_search, m_k, i) >
-                 least_variation_at_borders_of_volumes;
-        },
+                        [&](std::size_t i) {
+                          return votes(i) < m_quarter || !m_settings.keep_sparse_surfaces ||
+                                 variation_of_twice_the_radius(m_cloud, m_search, m_k, i) >
+                                     least_variation_at_borders_of_volumes;
+                        },
                         tag);
     set_marks(found, tag);
     return found;
@@ -125,18 +122,14 @@ public:
   void keep_lone_points(const std::vector<std::size_t>& found, const ConcurrencyTag&)
   {
     std::vector<std::uint8_t> is_lone(found.size());
-    for_each_index<ConcurrencyTag>(0, found.size(),
-                                   [&](std::size_t f)
-                                   {
+    for_each_index<ConcurrencyTag>(0, found.size(), [&](std::size_t f) {
       is_lone[f] =
           number_of_voters(found[f]) > 0 &&
                   !is_off_plane_of_neighbors(m_cloud, m_search, m_k, m_is_outlier, found[f])
               ? 1
               : 0;
     });
-    for_each_index<ConcurrencyTag>(0, found.size(),
-                                   [&](std::size_t f)
-                                   {
+    for_each_index<ConcurrencyTag>(0, found.size(), [&](std::size_t f) {
       if (is_lone[f] == 0)
         return;
       m_is_outlier[found[f]] = 0;
@@ -151,12 +144,12 @@ public:
   std::vector<std::size_t> less_than_half(const ConcurrencyTag& tag) const
   {
     return with_less_votes([&](std::size_t) { return m_k / 2; },
-                           [&](std::size_t i)
-                           {
-      return (m_is_in_layer[i] == 0 &&
-              m_shared.features.inverse_density[i] > m_sparseness.of_sparse_parts) ||
-             is_off_plane_of_neighbors(m_cloud, m_search, m_k, m_is_outlier, i);
-    },
+                           [&](std::size_t i) {
+                             return (m_is_in_layer[i] == 0 && m_shared.features.inverse_density[i] >
+                                                                  m_sparseness.of_sparse_parts) ||
+                                    is_off_plane_of_neighbors(m_cloud, m_search, m_k, m_is_outlier,
+                                                              i);
+                           },
                            tag);
   }
 
@@ -167,17 +160,14 @@ public:
   {
     while (!marked.empty())
     {
-      for_each_index<ConcurrencyTag>(0, marked.size(),
-                                     [&](std::size_t f)
-                                     {
+      for_each_index<ConcurrencyTag>(0, marked.size(), [&](std::size_t f) {
         const std::uint32_t number = m_shared.represented[marked[f]];
         if (number > 0)
           m_search.for_each_nearest(m_cloud.points[marked[f]], m_k + 1,
-                                    [&](std::size_t j, const Point&, double)
-                                    {
-            if (j != marked[f])
-              m_votes[j].fetch_sub(number, std::memory_order_relaxed);
-          });
+                                    [&](std::size_t j, const Point&, double) {
+                                      if (j != marked[f])
+                                        m_votes[j].fetch_sub(number, std::memory_order_relaxed);
+                                    });
       });
       marked = mark_few(tag);
     }
@@ -227,14 +217,12 @@ private:
   std::vector<std::size_t> with_less_votes(const NeededVotes& needed_votes, const Test& test,
                                            const ConcurrencyTag&) const
   {
-    const std::vector<std::size_t> candidates = indices_where<ConcurrencyTag>(m_votes.size(),
-                                                                              [&](std::size_t i) {
-      return m_is_outlier[i] == 0 && votes(i) < needed_votes(i);
-    });
+    const std::vector<std::size_t> candidates =
+        indices_where<ConcurrencyTag>(m_votes.size(), [&](std::size_t i) {
+          return m_is_outlier[i] == 0 && votes(i) < needed_votes(i);
+        });
     std::vector<std::uint8_t> is_confirmed(candidates.size());
-    for_each_index<ConcurrencyTag>(0, candidates.size(),
-                                   [&](std::size_t c)
-                                   {
+    for_each_index<ConcurrencyTag>(0, candidates.size(), [&](std::size_t c) {
       const std::size_t i = candidates[c];
       is_confirmed[c] = number_of_voters(i) < needed_votes(i) && test(i) ? 1 : 0;
     });

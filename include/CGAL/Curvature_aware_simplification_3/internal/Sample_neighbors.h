@@ -43,17 +43,14 @@ public:
     const std::size_t n = samples.size();
     m_number = (std::min)({number, most, n - 1});
     m_indices.resize(n * m_number);
-    for_each_index<ConcurrencyTag>(0, n,
-                                   [&](std::size_t i)
-                                   {
+    for_each_index<ConcurrencyTag>(0, n, [&](std::size_t i) {
       std::array<Neighbor, most + 1> found;
       std::size_t number_found = 0;
       neighbor_search.for_each_nearest(samples[i], m_number + 1,
-                                       [&](std::size_t j, const Point&, double squared_distance)
-                                       {
-        if (j != i)
-          found[number_found++] = {squared_distance, j};
-      });
+                                       [&](std::size_t j, const Point&, double squared_distance) {
+                                         if (j != i)
+                                           found[number_found++] = {squared_distance, j};
+                                       });
       // where more than that many coincide, the sample may not be among its nearest: one is too
       // many
       if (number_found > m_number)
@@ -69,9 +66,7 @@ public:
   template <typename ConcurrencyTag>
   void sort(const std::vector<Point>& samples, const ConcurrencyTag&)
   {
-    for_each_index<ConcurrencyTag>(0, samples.size(),
-                                   [&](std::size_t i)
-                                   {
+    for_each_index<ConcurrencyTag>(0, samples.size(), [&](std::size_t i) {
       std::array<Neighbor, most> neighbors;
       for (std::size_t m = 0; m < m_number; ++m)
       {

@@ -39,13 +39,12 @@ public:
       m_first[i + 1] = m_first[i] + number_wanted[i];
     m_pieces.resize(m_first.back());
     const Neighbor_search search(centers_of<ConcurrencyTag>(pieces), tag);
-    for_each_index<ConcurrencyTag>(centers.size(), progress,
-                                   [&](std::size_t i)
-                                   {
+    for_each_index<ConcurrencyTag>(centers.size(), progress, [&](std::size_t i) {
       std::size_t next = m_first[i];
       search.for_each_nearest(centers[i], number_wanted[i],
-                              [&](std::size_t j, const Point&, double)
-                              { m_pieces[next++] = static_cast<std::uint32_t>(j); });
+                              [&](std::size_t j, const Point&, double) {
+                                m_pieces[next++] = static_cast<std::uint32_t>(j);
+                              });
     });
   }
 

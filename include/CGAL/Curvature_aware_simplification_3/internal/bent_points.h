@@ -25,9 +25,7 @@ template <typename ConcurrencyTag>
 std::vector<std::uint8_t> bent_points(const Features& features, const Noise_levels& noise)
 {
   std::vector<std::uint8_t> is_bent(features.surface_variation.size());
-  for_each_index<ConcurrencyTag>(0, is_bent.size(),
-                                 [&](std::size_t i)
-                                 {
+  for_each_index<ConcurrencyTag>(0, is_bent.size(), [&](std::size_t i) {
     const double squared_size = squared_radius(features, i);
     const double sigma = noise.at(i).level;
     is_bent[i] = features.surface_variation[i] * squared_size >

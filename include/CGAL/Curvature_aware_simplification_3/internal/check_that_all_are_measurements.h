@@ -49,10 +49,10 @@ inline double share_within(const std::vector<Point>& points, const Point& p, dou
 [[noreturn]] inline void throw_point_too_far(const std::vector<Point>& points, const Point& from,
                                              const std::string& times)
 {
-  const auto farthest = std::max_element(points.begin(), points.end(),
-                                         [&](const Point& p, const Point& q) {
-    return half_of_distance(p, from) < half_of_distance(q, from);
-  });
+  const auto farthest =
+      std::max_element(points.begin(), points.end(), [&](const Point& p, const Point& q) {
+        return half_of_distance(p, from) < half_of_distance(q, from);
+      });
   throw std::invalid_argument("points: the point at index " +
                               std::to_string(farthest - points.begin()) + " is more than " + times +
                               " times as far from many others as these are from each other");

@@ -50,13 +50,11 @@ Noise_levels noise_and_enough_points(Cloud& cloud, std::unique_ptr<Neighbor_sear
                                      const Parameters& parameters,
                                      const Adaptive_settings& settings, const Progress& progress)
 {
-  const auto noise_at = [&](std::size_t number_of_places)
-  {
+  const auto noise_at = [&](std::size_t number_of_places) {
     return noise_of_scan<ConcurrencyTag>(cloud.points, *search, depth_levels, number_of_places,
                                          settings);
   };
-  const auto error = [&]
-  {
+  const auto error = [&] {
     return visible_error(parameters.number_of_output_points,
                          area_of_surface<ConcurrencyTag>(features.inverse_density));
   };

@@ -67,9 +67,7 @@ inline Column column_at(const Neighbor_search& search, const Point& place, const
       part * part * search.squared_distance_of_nearest(place, 2 * least_columns);
   std::size_t points = 0;
   if (axis != NULL_VECTOR)
-    search.for_each_nearest(place, k,
-                            [&](std::size_t, const Point& p, double)
-                            {
+    search.for_each_nearest(place, k, [&](std::size_t, const Point& p, double) {
       const double squared_distance = CGAL::cross_product(p - place, axis).squared_length();
       points += squared_distance <= squared_scatter ? 1 : 0;
     });
@@ -83,8 +81,7 @@ std::vector<Column>
 median_columns(const Noise_probes& probes, const std::vector<std::size_t>& ranges,
                const std::vector<Vector>& axes, const Neighbor_search& search, std::size_t k)
 {
-  const std::vector<Column> columns = at_probes<ConcurrencyTag>(probes, ranges,
-                                                                [&](std::size_t i) {
+  const std::vector<Column> columns = at_probes<ConcurrencyTag>(probes, ranges, [&](std::size_t i) {
     return column_at(search, probes.points[i], axes[probes.range_around(i)], k);
   });
   std::vector<Column> medians(probes.of_range.size());
@@ -116,12 +113,11 @@ find_columns(const Noise_probes& probes, const std::vector<std::size_t>& ranges,
                [&](std::size_t range) { return axes[range] != NULL_VECTOR; });
   const std::vector<Column> columns =
       median_columns<ConcurrencyTag>(probes, suspects, axes, search, least_columns);
-  const std::vector<Vector> normals = at_probes<ConcurrencyTag>(probes, suspects,
-                                                                [&](std::size_t i) {
-    return normal_around_column(search, probes.points[i]);
-  });
-  const auto are_columns = [&](std::size_t range)
-  {
+  const std::vector<Vector> normals =
+      at_probes<ConcurrencyTag>(probes, suspects, [&](std::size_t i) {
+        return normal_around_column(search, probes.points[i]);
+      });
+  const auto are_columns = [&](std::size_t range) {
     const Common_axis normal = common_axis(
         probes.of_range[range], [&](std::size_t i) { return &normals[i]; }, 1);
     const bool show_surface = normal.squared_cosine > 0.;

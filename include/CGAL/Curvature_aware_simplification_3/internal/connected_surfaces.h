@@ -46,9 +46,7 @@ next_to_unmarked(const Cloud& cloud, const Neighbor_search& search, const Featur
                  std::vector<std::atomic<std::uint32_t>>& neighbors)
 {
   std::vector<std::uint8_t> has_enough(far_ones.size());
-  for_each_index<ConcurrencyTag>(0, far_ones.size(),
-                                 [&](std::size_t f)
-                                 {
+  for_each_index<ConcurrencyTag>(0, far_ones.size(), [&](std::size_t f) {
     const std::size_t i = far_ones[f];
     if (is_outlier[i] == 0)
       return;
@@ -59,10 +57,10 @@ next_to_unmarked(const Cloud& cloud, const Neighbor_search& search, const Featur
     neighbors[i].store(number, std::memory_order_relaxed);
     has_enough[f] = number >= needed ? 1 : 0;
   });
-  return elements_at<ConcurrencyTag>(indices_where<ConcurrencyTag>(far_ones.size(),
-                                                                   [&](std::size_t f)
-                                                                   { return has_enough[f] != 0; }),
-                                     far_ones);
+  return elements_at<ConcurrencyTag>(
+      indices_where<ConcurrencyTag>(far_ones.size(),
+                                    [&](std::size_t f) { return has_enough[f] != 0; }),
+      far_ones);
 }
 
 // Unmarks those of the far ones of whose k nearest so many at least are not marked and have it
@@ -80,17 +78,14 @@ void unmark_connected(const Cloud& cloud, const Neighbor_search& search, const F
   // of those that are far and marked; others are never asked, as if they had more than enough
   // already
   std::vector<std::atomic<std::uint32_t>> neighbors(cloud.size());
-  for_each_index<ConcurrencyTag>(0, cloud.size(),
-                                 [&](std::size_t i) {
+  for_each_index<ConcurrencyTag>(0, cloud.size(), [&](std::size_t i) {
     neighbors[i].store(static_cast<std::uint32_t>(needed), std::memory_order_relaxed);
   });
   std::vector<std::size_t> asked = next_to_unmarked<ConcurrencyTag>(
       cloud, search, features, k, needed, far_ones, is_outlier, neighbors);
   while (!asked.empty())
   {
-    for_each_index<ConcurrencyTag>(0, asked.size(),
-                                   [&](std::size_t a)
-                                   {
+    for_each_index<ConcurrencyTag>(0, asked.size(), [&](std::size_t a) {
       if (!are_outliers_likely ||
           variation_of_twice_the_radius(cloud, search, k, asked[a]) <= largest_variation_of_parts)
         is_outlier[asked[a]] = 0;
@@ -98,16 +93,13 @@ void unmark_connected(const Cloud& cloud, const Neighbor_search& search, const F
     // Each is asked in the round in which it gets the last neighbor it needs; in which order does
     // not matter.
     std::vector<std::vector<std::size_t>> reached(asked.size());
-    for_each_index<ConcurrencyTag>(0, asked.size(),
-                                   [&](std::size_t a)
-                                   {
+    for_each_index<ConcurrencyTag>(0, asked.size(), [&](std::size_t a) {
       if (is_outlier[asked[a]] == 0)
         for_each_mutual_neighbor(
             cloud, search, features, k, asked[a], [&](std::size_t j) { return is_outlier[j] != 0; },
-            [&](std::size_t j)
-            {
-          if (neighbors[j].fetch_add(1, std::memory_order_relaxed) + 1 == needed)
-            reached[a].push_back(j);
+            [&](std::size_t j) {
+              if (neighbors[j].fetch_add(1, std::memory_order_relaxed) + 1 == needed)
+                reached[a].push_back(j);
             });
     });
     asked.clear();

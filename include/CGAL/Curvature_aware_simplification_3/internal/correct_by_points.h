@@ -62,8 +62,9 @@ inline Point point_in_largest_gap(const Surface_sample& x, const Neighbor_search
 {
   std::vector<Point> around, taken_around;
   fit.search.for_each_nearest(x.point, smallest_neighborhood,
-                              [&](std::size_t, const Point& p, double)
-                              { (taken.count(p) == 0 ? around : taken_around).push_back(p); });
+                              [&](std::size_t, const Point& p, double) {
+                                (taken.count(p) == 0 ? around : taken_around).push_back(p);
+                              });
   Point result = x.point;
   double largest = 0.;
   for (const Point& p : around)
@@ -89,9 +90,7 @@ std::vector<std::size_t> copies_of_others(const std::vector<Surface_sample>& sam
   // In spacings: of copies on curves, nine of ten are within 1e-6, the others within 1e-3; of
   // random points on a sphere, no two samples are within 0.01.
   constexpr double same_place = 1e-3;
-  return indices_where<ConcurrencyTag>(samples.size(),
-                                       [&](std::size_t i)
-                                       {
+  return indices_where<ConcurrencyTag>(samples.size(), [&](std::size_t i) {
     const double limit = same_place * samples[i].spacing;
     for (std::size_t j : neighbors.of(i))
       if (j < i && squared_distance(samples[i].point, samples[j].point) <= limit * limit)
@@ -111,17 +110,17 @@ void correct_by_points(std::vector<Surface_sample>& samples, const std::vector<P
   constexpr double same_place = 0.1; // in spacings: two samples there show no more than one
 
   const std::vector<std::size_t> copies = copies_of_others<ConcurrencyTag>(samples, neighbors);
-  std::vector<std::size_t> missed = indices_where<ConcurrencyTag>(samples.size(),
-                                                                  [&](std::size_t i)
-                                                                  {
-    return is_missed(samples[i], nearest[i]) &&
-           !std::binary_search(copies.begin(), copies.end(), i);
+  std::vector<std::size_t> missed =
+      indices_where<ConcurrencyTag>(samples.size(), [&](std::size_t i) {
+        return is_missed(samples[i], nearest[i]) &&
+               !std::binary_search(copies.begin(), copies.end(), i);
+      });
+  const auto distance_and_index = [&](std::size_t i) {
+    return std::make_pair(squared_distance(samples[i].point, nearest[i]), i);
+  };
+  std::sort(missed.begin(), missed.end(), [&](std::size_t i, std::size_t j) {
+    return distance_and_index(i) < distance_and_index(j);
   });
-  const auto distance_and_index = [&](std::size_t i)
-  { return std::make_pair(squared_distance(samples[i].point, nearest[i]), i); };
-  std::sort(missed.begin(), missed.end(),
-            [&](std::size_t i, std::size_t j)
-            { return distance_and_index(i) < distance_and_index(j); });
   std::set<Point> taken; // by samples that may be no neighbors
   std::vector<std::size_t> late = copies;
   for (std::size_t i : missed)

@@ -54,9 +54,7 @@ void denoise_samples(std::vector<Surface_sample>& samples, const Surface_fit& fi
 
   std::vector<Fits_of_all_sizes> fits(samples.size());
   std::vector<Point> points(samples.size());
-  for_each_index<ConcurrencyTag>(samples.size(), progress,
-                                 [&](std::size_t i)
-                                 {
+  for_each_index<ConcurrencyTag>(samples.size(), progress, [&](std::size_t i) {
     const Surface_sample& x = samples[i];
     fits[i] = x.noise->is_visible ? fits_of_all_sizes(fit.with(*x.noise), x)
                                   : Fits_of_all_sizes{x.point, x.normal(), 0., {}};
@@ -64,14 +62,10 @@ void denoise_samples(std::vector<Surface_sample>& samples, const Surface_fit& fi
   });
 
   const Neighbor_search search(points, ConcurrencyTag());
-  for_each_index<ConcurrencyTag>(0, samples.size(),
-                                 [&](std::size_t i)
-                                 {
+  for_each_index<ConcurrencyTag>(0, samples.size(), [&](std::size_t i) {
     const std::size_t steps = fits[i].widenings.size();
     std::vector<Fit_difference> differences(steps);
-    search.for_each_nearest(points[i], pool,
-                            [&](std::size_t j, const Point&, double)
-                            {
+    search.for_each_nearest(points[i], pool, [&](std::size_t j, const Point&, double) {
       const std::vector<Widening>& other = fits[j].widenings;
       for (std::size_t m = 0; m < (std::min)(steps, other.size()); ++m)
         differences[m].add({other[m].shift * other[m].shift, other[m].variance});

@@ -31,10 +31,8 @@ bool are_far_points_dense(const Features& features, const Sparseness& sparseness
 {
   constexpr double hardly_farther = 1.5;
   constexpr double round_enough = 1. / 6.;
-  const auto points_with = [&](double variation, double inverse_density)
-  {
-    return indices_where<ConcurrencyTag>(features.inverse_density.size(),
-                                         [&](std::size_t i) {
+  const auto points_with = [&](double variation, double inverse_density) {
+    return indices_where<ConcurrencyTag>(features.inverse_density.size(), [&](std::size_t i) {
       return is_thick_and_sparse(features, i, variation, inverse_density);
     });
   };

@@ -25,13 +25,12 @@ std::vector<double> density_weights(const std::vector<Point>& points, const Neig
 {
   const Theta theta(radius);
   std::vector<double> weights(points.size());
-  for_each_index<ConcurrencyTag>(points.size(), progress,
-                                 [&](std::size_t i)
-                                 {
+  for_each_index<ConcurrencyTag>(points.size(), progress, [&](std::size_t i) {
     double sum = 0.;
     search.for_each_within(points[i], radius,
-                           [&](std::size_t, const Point&, double squared_distance)
-                           { sum += theta(squared_distance); });
+                           [&](std::size_t, const Point&, double squared_distance) {
+                             sum += theta(squared_distance);
+                           });
     weights[i] = sum;
   });
   return weights;

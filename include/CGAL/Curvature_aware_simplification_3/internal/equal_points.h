@@ -65,8 +65,7 @@ std::vector<std::size_t> points_with_equal_hash(const std::vector<Point>& points
   constexpr std::size_t batch_size = 64;
 
   const std::size_t n = points.size();
-  const auto hash = [&](const Point& p)
-  {
+  const auto hash = [&](const Point& p) {
     std::size_t value = 0;
     boost::hash_combine(value, p.x());
     boost::hash_combine(value, p.y());
@@ -75,11 +74,8 @@ std::vector<std::size_t> points_with_equal_hash(const std::vector<Point>& points
   };
   Repeated_values values(hash_values * n);
   // function(position, hash value, whether it is known to be repeated)
-  const auto for_each_point = [&](const auto& function)
-  {
-    for_each_index<ConcurrencyTag>(0, (n + batch_size - 1) / batch_size,
-                                   [&](std::size_t batch)
-                                   {
+  const auto for_each_point = [&](const auto& function) {
+    for_each_index<ConcurrencyTag>(0, (n + batch_size - 1) / batch_size, [&](std::size_t batch) {
       const std::size_t begin = batch * batch_size, size = (std::min)(batch_size, n - begin);
       std::array<std::size_t, batch_size> value;
       std::array<bool, batch_size> is_repeated;
@@ -92,15 +88,13 @@ std::vector<std::size_t> points_with_equal_hash(const std::vector<Point>& points
     });
   };
 
-  for_each_point(
-      [&](std::size_t, std::size_t value, bool is_repeated)
-      {
+  for_each_point([&](std::size_t, std::size_t value, bool is_repeated) {
     if (!is_repeated)
       values.add(value);
   });
   std::vector<std::uint8_t> is_found(n);
-  for_each_point([&](std::size_t i, std::size_t, bool is_repeated)
-                 { is_found[i] = is_repeated ? 1 : 0; });
+  for_each_point(
+      [&](std::size_t i, std::size_t, bool is_repeated) { is_found[i] = is_repeated ? 1 : 0; });
   return indices_where<ConcurrencyTag>(n, [&](std::size_t i) { return is_found[i] != 0; });
 }
 
@@ -119,19 +113,17 @@ std::vector<Duplicate> find_duplicates(const std::vector<Point>& points)
   const std::vector<std::size_t> candidates = points_with_equal_hash<ConcurrencyTag>(points);
   using Point_and_index = std::pair<Point, std::size_t>;
   std::vector<Point_and_index> sorted(candidates.size());
-  for_each_index<ConcurrencyTag>(0, sorted.size(),
-                                 [&](std::size_t c) {
+  for_each_index<ConcurrencyTag>(0, sorted.size(), [&](std::size_t c) {
     sorted[c] = {points[candidates[c]], candidates[c]};
   });
   sort<ConcurrencyTag>(sorted);
 
   const std::vector<std::size_t> groups =
-      indices_where<ConcurrencyTag>(sorted.size(), [&](std::size_t c)
-                                    { return c == 0 || sorted[c].first != sorted[c - 1].first; });
+      indices_where<ConcurrencyTag>(sorted.size(), [&](std::size_t c) {
+        return c == 0 || sorted[c].first != sorted[c - 1].first;
+      });
   std::vector<Duplicate> duplicates(sorted.size() - groups.size());
-  for_each_index<ConcurrencyTag>(0, groups.size(),
-                                 [&](std::size_t g)
-                                 {
+  for_each_index<ConcurrencyTag>(0, groups.size(), [&](std::size_t g) {
     const std::size_t end = g + 1 < groups.size() ? groups[g + 1] : sorted.size();
     for (std::size_t c = groups[g] + 1; c < end; ++c) // g + 1 first points come before
       duplicates[c - g - 1] = {sorted[c].second, sorted[groups[g]].second};

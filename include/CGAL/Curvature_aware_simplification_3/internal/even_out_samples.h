@@ -61,10 +61,9 @@ void even_out_samples(std::vector<Surface_sample>& samples, const Sample_neighbo
     repel_samples<ConcurrencyTag>(
         samples, positions, neighbors, parameters.repulsion_weight, fit.settings,
         progress.part(static_cast<double>(round) / most, static_cast<double>(round + 1) / most),
-        [&](Surface_sample& x, const Vector& repulsion)
-        {
-      if (x.noise->is_visible)
-        move_along_surface(x, repulsion, fit.with(*x.noise));
+        [&](Surface_sample& x, const Vector& repulsion) {
+          if (x.noise->is_visible)
+            move_along_surface(x, repulsion, fit.with(*x.noise));
         });
 }
 

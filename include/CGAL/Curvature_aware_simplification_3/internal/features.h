@@ -91,12 +91,11 @@ Local_features local_features(const Neighbor_search& search, const Point& query,
   double squared_radius = 0.;
   Covariance_sums sums;
   search.for_each_nearest(query, number_of_points,
-                          [&](std::size_t j, const Point& p, double squared_distance)
-                          {
-    visit(j, squared_distance);
-    squared_radius = (std::max)(squared_radius, squared_distance);
-    sums.add(p - query);
-  });
+                          [&](std::size_t j, const Point& p, double squared_distance) {
+                            visit(j, squared_distance);
+                            squared_radius = (std::max)(squared_radius, squared_distance);
+                            sums.add(p - query);
+                          });
   const double k = (std::max)(static_cast<double>(number_of_points) - 1., 1.);
   return {surface_variation<DiagonalizeTraits>(sums.covariance(), coordinate_error),
           squared_radius / k};
@@ -118,9 +117,7 @@ Features compute_features(const Cloud& cloud, const Neighbor_search& search,
   const std::size_t n = cloud.size();
   const std::size_t size = neighborhood_size(number_of_neighbors, n);
   Features features{Uninitialized_vector<double>(n), Uninitialized_vector<double>(n), size - 1};
-  for_each_index<ConcurrencyTag>(n, progress,
-                                 [&](std::size_t i)
-                                 {
+  for_each_index<ConcurrencyTag>(n, progress, [&](std::size_t i) {
     const Local_features local =
         local_features<DiagonalizeTraits>(search, cloud.points[i], size, cloud.coordinate_error);
     features.surface_variation[i] = local.surface_variation;
@@ -137,9 +134,7 @@ inverse_densities(const std::vector<Point>& points, const Neighbor_search& searc
 {
   const std::size_t size = neighborhood_size(number_of_neighbors, points.size());
   Uninitialized_vector<double> result(points.size());
-  for_each_index<ConcurrencyTag>(points.size(), progress,
-                                 [&](std::size_t i)
-                                 {
+  for_each_index<ConcurrencyTag>(points.size(), progress, [&](std::size_t i) {
     result[i] = search.squared_distance_of_nearest(points[i], size) / static_cast<double>(size - 1);
   });
   return result;

@@ -66,8 +66,7 @@ std::vector<Facet> some_facets(const std::vector<Point>& points, const Neighbor_
 {
   constexpr std::size_t most = 256; // a sixteenth of them is one of the points to 1.5 %
   std::vector<Facet> facets((std::min)(most, points.size()));
-  for_each_index<ConcurrencyTag>(0, facets.size(),
-                                 [&](std::size_t i) {
+  for_each_index<ConcurrencyTag>(0, facets.size(), [&](std::size_t i) {
     facets[i] = facet_around(search, points[middle_of_part(i, facets.size(), points.size())]);
   });
   return facets;
@@ -163,17 +162,16 @@ Depth_levels find_depth_levels(const std::vector<Point>& points, const Neighbor_
   // sheets, of those on clean sheets 42 to 76 %.
   constexpr double most_between_sheets = 0.2;
   std::vector<std::uint8_t> on_steps(facets.size()), between_sheets(facets.size());
-  for_each_index<ConcurrencyTag>(0, facets.size(),
-                                 [&](std::size_t i)
-                                 {
+  for_each_index<ConcurrencyTag>(0, facets.size(), [&](std::size_t i) {
     on_steps[i] = is_on_steps(facets[i], levels, search) ? 1 : 0;
     between_sheets[i] =
         on_steps[i] != 0 && is_between_sheets(facets[i].point, facets[i].spacing, levels, search)
             ? 1
             : 0;
   });
-  const auto number = [](const std::vector<std::uint8_t>& are)
-  { return static_cast<double>(std::count(are.begin(), are.end(), 1)); };
+  const auto number = [](const std::vector<std::uint8_t>& are) {
+    return static_cast<double>(std::count(are.begin(), are.end(), 1));
+  };
   const bool are_steps = 4. * number(on_steps) >= static_cast<double>(facets.size()) &&
                          number(between_sheets) <= most_between_sheets * number(on_steps);
   return are_steps ? levels : Depth_levels();

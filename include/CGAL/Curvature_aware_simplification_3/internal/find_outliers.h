@@ -40,14 +40,14 @@ mark_far_points(const Cloud& cloud, const Neighbor_search& search, const Feature
                 bool are_dense, const Adaptive_settings& settings,
                 std::vector<std::uint8_t>& is_outlier)
 {
-  const std::vector<std::size_t> far_ones = indices_where<ConcurrencyTag>(cloud.size(),
-                                                                          [&](std::size_t i)
-                                                                          {
-    return is_outlier[i] == 0 &&
-           (is_thick_and_sparse(features, i, least_variation_of_volumes, sparseness.of_outliers) ||
-            (are_dense && is_thick_and_sparse(features, i, least_variation_of_round_volumes,
-                                              sparseness.of_sparse_parts)));
-  });
+  const std::vector<std::size_t> far_ones =
+      indices_where<ConcurrencyTag>(cloud.size(), [&](std::size_t i) {
+        return is_outlier[i] == 0 &&
+               (is_thick_and_sparse(features, i, least_variation_of_volumes,
+                                    sparseness.of_outliers) ||
+                (are_dense && is_thick_and_sparse(features, i, least_variation_of_round_volumes,
+                                                  sparseness.of_sparse_parts)));
+      });
   for_each_index<ConcurrencyTag>(0, far_ones.size(),
                                  [&](std::size_t f) { is_outlier[far_ones[f]] = 1; });
   if (!settings.keep_sparse_surfaces || far_ones.empty())
@@ -97,8 +97,7 @@ std::vector<std::uint8_t> find_outliers(const Cloud& cloud, const Neighbor_searc
 {
   const ConcurrencyTag tag;
   std::vector<std::uint8_t> is_outlier(cloud.size(), 0);
-  const auto marked = [&]
-  {
+  const auto marked = [&] {
     return indices_where<ConcurrencyTag>(cloud.size(),
                                          [&](std::size_t i) { return is_outlier[i] != 0; });
   };

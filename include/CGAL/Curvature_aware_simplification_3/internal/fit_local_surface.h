@@ -26,8 +26,7 @@ inline Local_surface fit_local_surface(const Surface_fit& fit, const Point& x, c
                                        const Local_surface& last, int rounds,
                                        Neighborhood& neighborhood)
 {
-  const auto fit_curve = [&]
-  {
+  const auto fit_curve = [&] {
     Local_surface surface = fit_to_neighbors(fit, x, normal, smallest_neighborhood, last.neighbors,
                                              rounds, neighborhood);
     surface.is_curve = true;

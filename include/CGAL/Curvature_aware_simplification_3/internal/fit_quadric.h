@@ -81,8 +81,9 @@ Normal_equations<n> normal_equations(const Neighborhood& neighborhood, const Loc
 template <typename Matrix>
 void set_extent(const Matrix& matrix, double unit, Local_surface& surface)
 {
-  const auto covariance = [&](int i, int j)
-  { return matrix(i, j) - matrix(i, 0) * matrix(j, 0) / matrix(0, 0); };
+  const auto covariance = [&](int i, int j) {
+    return matrix(i, j) - matrix(i, 0) * matrix(j, 0) / matrix(0, 0);
+  };
   const double mean = (covariance(1, 1) + covariance(2, 2)) / 2.;
   const double half = (covariance(1, 1) - covariance(2, 2)) / 2.;
   const double off_diagonal = covariance(1, 2);

@@ -32,9 +32,7 @@ inline bool widen(const Surface_fit& fit, const Neighborhood& wide, double radiu
                   Neighborhood& neighborhood, Local_surface& surface)
 {
   neighborhood.take_within(wide, surface.origin, radius);
-  neighborhood.weight_by_distance(radius,
-                                  [&](const Neighborhood::Neighbor& neighbor)
-                                  {
+  neighborhood.weight_by_distance(radius, [&](const Neighborhood::Neighbor& neighbor) {
     const double h = neighbor.position * surface.n;
     return neighbor.squared_distance - h * h;
   });

@@ -32,9 +32,7 @@ inline bool is_amid_level(const Point& place, double spacing, double tolerance,
   double squared_radius = 0.;
   Vector sum = NULL_VECTOR;
   std::size_t number = 0;
-  search.for_each_nearest(place, k,
-                          [&](std::size_t, const Point& p, double)
-                          {
+  search.for_each_nearest(place, k, [&](std::size_t, const Point& p, double) {
     const Vector d = p - place;
     const double height = d * direction;
     if (std::abs(height) > tolerance)
@@ -56,8 +54,7 @@ inline bool is_amid_level(const Point& place, double spacing, double tolerance,
 inline bool is_between_sheets(const Point& p, double spacing, const Depth_levels& levels,
                               const Neighbor_search& search)
 {
-  const auto is_covered = [&](double gap)
-  {
+  const auto is_covered = [&](double gap) {
     // the place and the points are both within the tolerance
     return gap == 0. || is_amid_level(p + gap * levels.direction, spacing, 2. * levels.tolerance,
                                       levels.direction, search);

@@ -58,9 +58,7 @@ public:
     // times as far: these lead from one to another.
     constexpr double reach = 2.;
     m_squared_reach.resize(cloud.size());
-    for_each_index<ConcurrencyTag>(0, far_ones.size(),
-                                   [&](std::size_t f)
-                                   {
+    for_each_index<ConcurrencyTag>(0, far_ones.size(), [&](std::size_t f) {
       const Point& p = cloud.points[far_ones[f]];
       m_squared_reach[far_ones[f]] = reach * reach * search.squared_distance_of_nearest(p, 3);
     });
@@ -75,9 +73,7 @@ public:
         m_cloud.size(), [&](std::size_t i) { return may_be_first(i); });
     std::vector<std::vector<std::size_t>> clusters(first.size());
     std::vector<std::uint8_t> is_clear(first.size(), 0);
-    for_each_index<ConcurrencyTag>(0, first.size(),
-                                   [&](std::size_t c)
-                                   {
+    for_each_index<ConcurrencyTag>(0, first.size(), [&](std::size_t c) {
       std::vector<std::size_t> cluster = component_from(first[c]);
       if (!is_isolated_volume(cluster, 1.))
         return;
@@ -163,12 +159,11 @@ private:
       for_each_mutual_neighbor(
           m_cloud, m_search, m_features, m_k, i,
           [&](std::size_t j) { return m_is_outlier[j] == 0 && is_within_reach(i, j); },
-          [&](std::size_t j)
-          {
-        if (j < first || !may_be_in_cluster(j) || component.size() > most)
-          is_part_of_more = true;
-        else if (is_in_component.insert(j).second)
-          component.push_back(j);
+          [&](std::size_t j) {
+            if (j < first || !may_be_in_cluster(j) || component.size() > most)
+              is_part_of_more = true;
+            else if (is_in_component.insert(j).second)
+              component.push_back(j);
           });
     }
     return is_part_of_more ? std::vector<std::size_t>() : component;
@@ -218,9 +213,9 @@ private:
   // cluster has hardly any that are so far out, and each of these lets one other in.
   bool is_apart(const std::vector<std::size_t>& cluster, const Point& center, double radius) const
   {
-    return !m_search.are_more_within(center, radius, cluster.size(),
-                                     [&](std::size_t j, const Point&, double)
-                                     { return m_is_outlier[j] == 0; });
+    return !m_search.are_more_within(
+        center, radius, cluster.size(),
+        [&](std::size_t j, const Point&, double) { return m_is_outlier[j] == 0; });
   }
 
   const Cloud& m_cloud;

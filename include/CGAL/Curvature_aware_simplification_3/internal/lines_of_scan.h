@@ -30,8 +30,7 @@ namespace internal {
 inline bool is_between_lines(const Surface_fit& fit, Neighborhood& neighborhood,
                              const Local_surface& surface)
 {
-  const auto is_unknown = [&](const Local_surface& s)
-  {
+  const auto is_unknown = [&](const Local_surface& s) {
     return s.amplification > 1. &&
            s.amplification * fit.noise.independent_level > fit.noise.visible_error;
   };

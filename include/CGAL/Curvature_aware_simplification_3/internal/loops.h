@@ -33,13 +33,13 @@ void for_each_index(std::size_t begin, std::size_t end, const Kernel& kernel)
   const std::size_t size = end - begin;
   const std::size_t step = (std::min)(size / 1024 + 1, std::size_t(64));
   CGAL::for_each<ConcurrencyTag>(CGAL::make_range(Iterator(0), Iterator((size + step - 1) / step)),
-                                 [&](const std::size_t& block) -> bool
-                                 {
-    const std::size_t last = (std::min)(end, begin + (block + 1) * step);
-    for (std::size_t i = begin + block * step; i < last; ++i)
-      kernel(i);
-    return true;
-  });
+                                 [&](const std::size_t& block) -> bool {
+                                   const std::size_t last =
+                                       (std::min)(end, begin + (block + 1) * step);
+                                   for (std::size_t i = begin + block * step; i < last; ++i)
+                                     kernel(i);
+                                   return true;
+                                 });
 }
 
 // The same over [0, size), with progress reported between blocks. 20 blocks are often enough for a
@@ -69,9 +69,7 @@ template <typename ConcurrencyTag, typename T, typename Value, typename Combine>
 T reduce_indices(std::size_t size, const T& identity, const Value& value, const Combine& combine)
 {
   std::vector<T> partial_results((size + block_size - 1) / block_size, identity);
-  for_each_index<ConcurrencyTag>(0, partial_results.size(),
-                                 [&](std::size_t block)
-                                 {
+  for_each_index<ConcurrencyTag>(0, partial_results.size(), [&](std::size_t block) {
     const std::size_t begin = block * block_size;
     const std::size_t end = (std::min)(size, begin + block_size);
     T result = identity;

@@ -30,9 +30,7 @@ std::vector<double> mean_over_balls(const std::vector<double>& value, double p,
   const std::size_t n = value.size();
   std::vector<double> power(n), mean(n);
   for_each_index<ConcurrencyTag>(0, n, [&](std::size_t i) { power[i] = std::pow(value[i], p); });
-  for_each_index<ConcurrencyTag>(0, n,
-                                 [&](std::size_t i)
-                                 {
+  for_each_index<ConcurrencyTag>(0, n, [&](std::size_t i) {
     double sum = 0., area = 0.;
     for (std::size_t j : balls.of(i))
     {

@@ -25,8 +25,7 @@ double median_of_some(std::size_t size, std::size_t most, const Value& value)
 {
   const std::size_t number = (std::min)(most, size);
   std::vector<double> values(number);
-  for_each_index<ConcurrencyTag>(0, number,
-                                 [&](std::size_t i) {
+  for_each_index<ConcurrencyTag>(0, number, [&](std::size_t i) {
     values[i] = value(static_cast<std::size_t>(std::uint64_t(i) * size / number));
   });
   return median(values);

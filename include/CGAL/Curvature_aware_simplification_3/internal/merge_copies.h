@@ -48,11 +48,10 @@ inline Merged_point merged_point(std::size_t i, const std::vector<Point>& points
   Vector sum(0., 0., 0.);
   search.for_each_within(
       points[i], copies.distance,
-      [&](std::size_t j, const Point& p, double)
-      {
-    is_first = is_first && turn <= turns.bits(j);
-    sum = sum + (p - points[i]);
-    ++number;
+      [&](std::size_t j, const Point& p, double) {
+        is_first = is_first && turn <= turns.bits(j);
+        sum = sum + (p - points[i]);
+        ++number;
       },
       2 * copies.most);
   if (number > 2 * copies.most)
@@ -75,8 +74,7 @@ std::size_t merge_copies(Cloud& cloud, std::unique_ptr<Neighbor_search>& search,
   if (!(copies.distance > 0.))
     return 0;
   std::vector<std::uint8_t> is_left(n);
-  for_each_index<ConcurrencyTag>(n, progress,
-                                 [&](std::size_t i) {
+  for_each_index<ConcurrencyTag>(n, progress, [&](std::size_t i) {
     is_left[i] = merged_point(i, cloud.points, *search, copies).is_left ? 1 : 0;
   });
   const std::vector<std::size_t> left =
@@ -84,8 +82,7 @@ std::size_t merge_copies(Cloud& cloud, std::unique_ptr<Neighbor_search>& search,
   if (left.size() < (std::max)(number_of_samples, fewest_points_to_fit))
     return 0;
   std::vector<Point> places(left.size()); // few: computed again, instead of kept for all points
-  for_each_index<ConcurrencyTag>(0, left.size(),
-                                 [&](std::size_t i) {
+  for_each_index<ConcurrencyTag>(0, left.size(), [&](std::size_t i) {
     places[i] = merged_point(left[i], cloud.points, *search, copies).point;
   });
   search.reset(); // before the next one takes as much memory

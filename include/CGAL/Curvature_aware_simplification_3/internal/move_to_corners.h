@@ -92,9 +92,7 @@ std::optional<Target> nearest_corner(const Surface_sample& x, const Neighbors& n
     return std::nullopt;
   Point last = x.point;
   double farthest = -std::numeric_limits<double>::infinity();
-  fit.search.for_each_within(x.point, reach * x.spacing,
-                             [&](std::size_t, const Point& p, double)
-                             {
+  fit.search.for_each_within(x.point, reach * x.spacing, [&](std::size_t, const Point& p, double) {
     const double way = (p - x.point) * out.direction;
     if (way > farthest)
     {
@@ -119,13 +117,9 @@ void leave_to_nearest(std::vector<std::optional<Target>>& targets, const std::ve
   if (std::none_of(targets.begin(), targets.end(), [](const auto& target) { return target; }))
     return;
   const Neighbor_search search(points, ConcurrencyTag());
-  for_each_index<ConcurrencyTag>(0, targets.size(),
-                                 [&](std::size_t i)
-                                 {
+  for_each_index<ConcurrencyTag>(0, targets.size(), [&](std::size_t i) {
     if (targets[i])
-      search.for_each_nearest(targets[i]->point, 1,
-                              [&](std::size_t nearest, const Point&, double)
-                              {
+      search.for_each_nearest(targets[i]->point, 1, [&](std::size_t nearest, const Point&, double) {
         if (nearest != i)
           targets[i].reset();
       });
@@ -143,8 +137,7 @@ void move_to_corners(std::vector<Surface_sample>& samples, const Sample_neighbor
 
   const std::vector<Point> points = points_of<ConcurrencyTag>(samples);
   std::vector<std::optional<Target>> targets(samples.size());
-  for_each_index<ConcurrencyTag>(samples.size(), progress,
-                                 [&](std::size_t i) {
+  for_each_index<ConcurrencyTag>(samples.size(), progress, [&](std::size_t i) {
     targets[i] = nearest_corner(samples[i], neighbors.of(i), points, fit.with(*samples[i].noise));
   });
   leave_to_nearest<ConcurrencyTag>(targets, points);

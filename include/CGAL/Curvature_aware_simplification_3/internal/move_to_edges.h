@@ -140,9 +140,7 @@ void move_to_edges(std::vector<Surface_sample>& samples, const Sample_neighbors&
   const Neighbor_search bent_search(bent, ConcurrencyTag());
   const std::vector<Point> points = points_of<ConcurrencyTag>(samples);
   std::vector<std::optional<Target>> targets(samples.size());
-  for_each_index<ConcurrencyTag>(samples.size(), progress,
-                                 [&](std::size_t i)
-                                 {
+  for_each_index<ConcurrencyTag>(samples.size(), progress, [&](std::size_t i) {
     targets[i] = nearest_edge_point(samples[i], neighbors.of(i), points,
                                     fit.with(*samples[i].noise), bent_search);
   });

@@ -33,9 +33,7 @@ void move_to_targets(std::vector<Surface_sample>& samples,
                      const std::vector<std::optional<Target>>& targets,
                      const Sample_neighbors& neighbors, double too_close)
 {
-  for_each_index<ConcurrencyTag>(0, samples.size(),
-                                 [&](std::size_t i)
-                                 {
+  for_each_index<ConcurrencyTag>(0, samples.size(), [&](std::size_t i) {
     const std::optional<Target>& own = targets[i];
     if (!own)
       return;

@@ -23,12 +23,11 @@ void for_each_mutual_neighbor(const Cloud& cloud, const Neighbor_search& search,
                               const Features& features, std::size_t k, std::size_t i,
                               const Counts& counts, const Function& function)
 {
-  search.for_each_nearest(cloud.points[i], k + 1,
-                          [&](std::size_t j, const Point&, double squared_distance)
-                          {
-    if (j != i && counts(j) && squared_distance <= squared_radius(features, j))
-      function(j);
-  });
+  search.for_each_nearest(
+      cloud.points[i], k + 1, [&](std::size_t j, const Point&, double squared_distance) {
+        if (j != i && counts(j) && squared_distance <= squared_radius(features, j))
+          function(j);
+      });
 }
 
 } // namespace internal

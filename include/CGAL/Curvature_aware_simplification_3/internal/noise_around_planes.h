@@ -42,8 +42,9 @@ std::vector<Shown_noise> noise_around_planes(const Noise_probes& probes,
   constexpr double turn_along_columns = 0.4;
 
   const std::vector<std::size_t> ranges = all_ranges(probes);
-  const auto layers = [&](std::size_t number)
-  { return median_layers<ConcurrencyTag>(probes, ranges, search, number, Layer_around_plane()); };
+  const auto layers = [&](std::size_t number) {
+    return median_layers<ConcurrencyTag>(probes, ranges, search, number, Layer_around_plane());
+  };
   const std::vector<Layer> narrow = layers(k), wide = layers(2 * k);
   const std::vector<double> turns = median_turns<ConcurrencyTag>(probes, ranges, search, k);
   std::vector<Vector> axes(ranges.size(), NULL_VECTOR);
@@ -52,8 +53,9 @@ std::vector<Shown_noise> noise_around_planes(const Noise_probes& probes,
   {
     std::vector<std::size_t> suspects; // elsewhere, planes are in the surface
     std::copy_if(ranges.begin(), ranges.end(), std::back_inserter(suspects),
-                 [&](std::size_t range)
-                 { return turns[range] > turn_along_columns || !narrow[range].is_broad(); });
+                 [&](std::size_t range) {
+                   return turns[range] > turn_along_columns || !narrow[range].is_broad();
+                 });
     axes = parallel_axes<ConcurrencyTag>(probes, suspects, search);
     in_columns = find_columns<ConcurrencyTag>(probes, suspects, axes, search);
   }

@@ -72,8 +72,9 @@ std::vector<Shown_noise> noise_around_quadrics(const Noise_probes& probes,
                                                const std::vector<Shown_noise>& around_planes,
                                                const Adaptive_settings& settings)
 {
-  const auto layers = [&](const std::vector<std::size_t>& ranges, std::size_t k)
-  { return median_layers<ConcurrencyTag>(probes, ranges, search, k, Layer_around_quadric()); };
+  const auto layers = [&](const std::vector<std::size_t>& ranges, std::size_t k) {
+    return median_layers<ConcurrencyTag>(probes, ranges, search, k, Layer_around_quadric());
+  };
 
   std::vector<std::size_t> unknown = all_ranges(probes);
   std::vector<Noise_of_range> of_range(unknown.size());

@@ -62,9 +62,7 @@ inline std::optional<Thick_plane> sparse_layer(const Cloud& cloud, const Neighbo
     return std::nullopt;
   Covariance_sums sums;
   std::size_t sparse_ones = 0;
-  search.for_each_nearest(place, number,
-                          [&](std::size_t j, const Point& p, double)
-                          {
+  search.for_each_nearest(place, number, [&](std::size_t j, const Point& p, double) {
     sums.add(p - place);
     if (features.inverse_density[j] > sparse)
       ++sparse_ones;
@@ -88,9 +86,7 @@ std::vector<std::size_t> unmark_noisy_layers(const Cloud& cloud, const Neighbor_
   const std::size_t n = far_ones.size();
   const Curve_ranges ranges{n / (16 * k) + 1, n};
   std::vector<std::uint8_t> is_in_layer(n, 0);
-  for_each_index<ConcurrencyTag>(0, ranges.number,
-                                 [&](std::size_t range)
-                                 {
+  for_each_index<ConcurrencyTag>(0, ranges.number, [&](std::size_t range) {
     const std::size_t begin = ranges.first_point(range), end = ranges.first_point(range + 1);
     const Point& place = cloud.points[far_ones[begin + (end - begin) / 2]];
     std::optional<Thick_plane> layer = sparse_layer(cloud, search, features, place, 16 * k, sparse);

@@ -34,11 +34,10 @@ inline std::array<Vector, directions_of_place> directions_to_nearest(const Neigh
   directions.fill(NULL_VECTOR);
   std::vector<std::pair<double, Point>> nearest;
   search.for_each_nearest(place, directions.size() + 1,
-                          [&](std::size_t, const Point& p, double squared_distance)
-                          {
-    if (squared_distance > 0.) // not the place itself
-      nearest.emplace_back(squared_distance, p);
-  });
+                          [&](std::size_t, const Point& p, double squared_distance) {
+                            if (squared_distance > 0.) // not the place itself
+                              nearest.emplace_back(squared_distance, p);
+                          });
   std::sort(nearest.begin(), nearest.end());
   for (std::size_t n = 0; n < (std::min)(nearest.size(), directions.size()); ++n)
     directions[n] = (nearest[n].second - place) / std::sqrt(nearest[n].first);
@@ -91,8 +90,7 @@ std::vector<Vector> parallel_axes(const Noise_probes& probes,
                                   const Neighbor_search& search)
 {
   constexpr double parallel = 0.4; // of the difference times the root of the number at each place
-  const auto directions = at_probes<ConcurrencyTag>(probes, ranges,
-                                                    [&](std::size_t i) {
+  const auto directions = at_probes<ConcurrencyTag>(probes, ranges, [&](std::size_t i) {
     return directions_to_nearest(search, probes.points[i]);
   });
   std::vector<Vector> axes(probes.of_range.size(), NULL_VECTOR);

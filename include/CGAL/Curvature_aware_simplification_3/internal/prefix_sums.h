@@ -24,9 +24,7 @@ template <typename ConcurrencyTag, typename Predicate>
 std::vector<std::size_t> indices_where(std::size_t size, const Predicate& predicate)
 {
   std::vector<std::vector<std::size_t>> found((size + block_size - 1) / block_size);
-  for_each_index<ConcurrencyTag>(0, found.size(),
-                                 [&](std::size_t block)
-                                 {
+  for_each_index<ConcurrencyTag>(0, found.size(), [&](std::size_t block) {
     for (std::size_t i = block * block_size; i < (std::min)(size, (block + 1) * block_size); ++i)
       if (predicate(i))
         found[block].push_back(i);
@@ -36,9 +34,7 @@ std::vector<std::size_t> indices_where(std::size_t size, const Predicate& predic
   for (std::size_t block = 0; block < found.size(); ++block)
     first[block + 1] = first[block] + found[block].size();
   std::vector<std::size_t> result(first.back());
-  for_each_index<ConcurrencyTag>(0, found.size(),
-                                 [&](std::size_t block)
-                                 {
+  for_each_index<ConcurrencyTag>(0, found.size(), [&](std::size_t block) {
     std::copy(found[block].begin(), found[block].end(),
               result.begin() + static_cast<std::ptrdiff_t>(first[block]));
   });
@@ -78,18 +74,14 @@ template <typename ConcurrencyTag>
 void sum_up(std::vector<double>& values)
 {
   std::vector<double> before((values.size() + block_size - 1) / block_size + 1, 0.);
-  for_each_index<ConcurrencyTag>(0, before.size() - 1,
-                                 [&](std::size_t block)
-                                 {
+  for_each_index<ConcurrencyTag>(0, before.size() - 1, [&](std::size_t block) {
     const std::size_t end = (std::min)(values.size(), (block + 1) * block_size);
     for (std::size_t i = block * block_size; i < end; ++i)
       before[block + 1] += values[i];
   });
   for (std::size_t block = 1; block < before.size(); ++block)
     before[block] += before[block - 1];
-  for_each_index<ConcurrencyTag>(0, before.size() - 1,
-                                 [&](std::size_t block)
-                                 {
+  for_each_index<ConcurrencyTag>(0, before.size() - 1, [&](std::size_t block) {
     const std::size_t end = (std::min)(values.size(), (block + 1) * block_size);
     double sum = before[block];
     for (std::size_t i = block * block_size; i < end; ++i)

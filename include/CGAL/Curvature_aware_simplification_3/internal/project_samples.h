@@ -37,9 +37,7 @@ void project_samples(std::vector<Surface_sample>& samples, const Sample_neighbor
                      const Progress& progress)
 {
   std::vector<Point> nearest(samples.size());
-  for_each_index<ConcurrencyTag>(samples.size(), progress.part(0., 0.4),
-                                 [&](std::size_t i)
-                                 {
+  for_each_index<ConcurrencyTag>(samples.size(), progress.part(0., 0.4), [&](std::size_t i) {
     Surface_sample& x = samples[i];
     nearest[i] = x.place(fit.with(*x.noise), x.point, x.normal(), rounds_to_stay);
   });

@@ -74,17 +74,16 @@ inline Attraction attraction(const Attractors& attractors, const Point& x, doubl
   Weighted_mean mean;
   std::optional<std::size_t> nearest;
   double least = std::numeric_limits<double>::infinity();
-  attractors.search.for_each_within(x, radius,
-                                    [&](std::size_t j, const Point& p, double squared_distance)
-                                    {
-    if (squared_distance < least)
-    {
-      least = squared_distance;
-      nearest = j;
-    }
-    const double alpha = theta(squared_distance) / (std::sqrt(squared_distance) + tiny);
-    mean.add(alpha * attractors.weight[j], p - x);
-  });
+  attractors.search.for_each_within(
+      x, radius, [&](std::size_t j, const Point& p, double squared_distance) {
+        if (squared_distance < least)
+        {
+          least = squared_distance;
+          nearest = j;
+        }
+        const double alpha = theta(squared_distance) / (std::sqrt(squared_distance) + tiny);
+        mean.add(alpha * attractors.weight[j], p - x);
+      });
   return {mean.mean(), nearest};
 }
 
@@ -99,9 +98,7 @@ inline Vector repulsion(const std::vector<Point>& samples, const Neighbor_search
   const Point& x = samples[sample];
 
   Weighted_mean mean;
-  search.for_each_within(x, radius,
-                         [&](std::size_t i, const Point& x_i, double squared_distance)
-                         {
+  search.for_each_within(x, radius, [&](std::size_t i, const Point& x_i, double squared_distance) {
     if (squared_distance == 0.) // the sample itself; of others, no direction leads away
       return;
     const double beta = theta(squared_distance) / std::sqrt(squared_distance);
@@ -123,9 +120,7 @@ std::vector<Point> relax(const std::vector<Point>& samples, const Attractors& at
   const double h = relaxation.radius;
   std::vector<Vector> attracted(n);
   std::vector<double> amplitude(n);
-  for_each_index<ConcurrencyTag>(n, progress.part(0., 0.8),
-                                 [&](std::size_t i)
-                                 {
+  for_each_index<ConcurrencyTag>(n, progress.part(0., 0.8), [&](std::size_t i) {
     const Attraction found = attraction(attractors, samples[i], h);
     attracted[i] = found.mean;
     amplitude[i] = curvature_weights.repulsion_amplitude(curvature_at(samples[i], found.nearest));
@@ -136,9 +131,7 @@ std::vector<Point> relax(const std::vector<Point>& samples, const Attractors& at
   if (relaxation.use_density_weights)
     density = density_weights<ConcurrencyTag>(samples, search, h, progress.part(0.8, 0.8));
   std::vector<Point> moved(n);
-  for_each_index<ConcurrencyTag>(n, progress.part(0.8, 1.),
-                                 [&](std::size_t i)
-                                 {
+  for_each_index<ConcurrencyTag>(n, progress.part(0.8, 1.), [&](std::size_t i) {
     moved[i] = samples[i] + attracted[i] +
                relaxation.repulsion_weight * repulsion(samples, search, amplitude, density, h, i);
   });

@@ -37,8 +37,7 @@ std::vector<Point> relax_repeatedly(const std::vector<Point>& initial_samples, c
   const Curvature_weights curvature_weights(parameters.curvature_dependence);
 
   Attractors attractors{search, std::vector<double>(cloud.size())};
-  for_each_index<ConcurrencyTag>(0, cloud.size(),
-                                 [&](std::size_t j) {
+  for_each_index<ConcurrencyTag>(0, cloud.size(), [&](std::size_t j) {
     attractors.weight[j] = curvature_weights.attraction(scale * features.surface_variation[j]);
   });
   if (parameters.require_uniform_sampling)
@@ -50,8 +49,7 @@ std::vector<Point> relax_repeatedly(const std::vector<Point>& initial_samples, c
   }
 
   const std::size_t neighborhood = neighborhood_size(parameters.number_of_neighbors, cloud.size());
-  const auto curvature_at = [&](const Point& x, const std::optional<std::size_t>& nearest)
-  {
+  const auto curvature_at = [&](const Point& x, const std::optional<std::size_t>& nearest) {
     double curvature = 0.;
     if (parameters.recompute_curvature) // paper, sec. 5.3
       curvature = local_features<DiagonalizeTraits>(search, x, neighborhood, cloud.coordinate_error)
@@ -59,9 +57,9 @@ std::vector<Point> relax_repeatedly(const std::vector<Point>& initial_samples, c
     else if (nearest) // that of the nearest input point (paper, sec. 4.2)
       curvature = features.surface_variation[*nearest];
     else
-      search.for_each_nearest(x, 1,
-                              [&](std::size_t j, const Point&, double)
-                              { curvature = features.surface_variation[j]; });
+      search.for_each_nearest(x, 1, [&](std::size_t j, const Point&, double) {
+        curvature = features.surface_variation[j];
+      });
     return (std::min)(scale * curvature, Curvature_weights::maximum_curvature);
   };
 

@@ -89,9 +89,7 @@ struct Sample_positions
   Sample_positions(const std::vector<Surface_sample>& samples, const ConcurrencyTag&)
     : points(samples.size()), squared_spacings(samples.size())
   {
-    for_each_index<ConcurrencyTag>(0, samples.size(),
-                                   [&](std::size_t i)
-                                   {
+    for_each_index<ConcurrencyTag>(0, samples.size(), [&](std::size_t i) {
       points[i] = samples[i].point;
       squared_spacings[i] = samples[i].spacing * samples[i].spacing;
     });
@@ -116,9 +114,7 @@ double repel_samples(std::vector<Surface_sample>& samples, Sample_positions& pos
         progress.part(static_cast<double>(turn) / static_cast<double>(turns),
                       static_cast<double>(turn + 1) / static_cast<double>(turns));
     places.resize(number);
-    for_each_index<ConcurrencyTag>(number, turn_progress,
-                                   [&](std::size_t n)
-                                   {
+    for_each_index<ConcurrencyTag>(number, turn_progress, [&](std::size_t n) {
       const std::size_t i = turn + n * turns;
       Surface_sample& x = samples[i];
       move(x, weight * tangential_repulsion(x, neighbors.of(i), positions.points,

@@ -43,8 +43,7 @@ double sample_spacing(const std::vector<Point>& samples)
   const Neighbor_search search(samples, ConcurrencyTag());
 
   std::vector<double> squared_radius(samples.size(), 0.);
-  for_each_index<ConcurrencyTag>(0, samples.size(),
-                                 [&](std::size_t i) {
+  for_each_index<ConcurrencyTag>(0, samples.size(), [&](std::size_t i) {
     squared_radius[i] = search.squared_distance_of_nearest(samples[i], size);
   });
 

@@ -52,19 +52,18 @@ Sampling_density sampling_density(const Scan& scan, std::size_t number_of_sample
   // Bounded from below by a part of the mean, with what noise may hide. Without that, the few
   // places of a noisy plane that look bent by chance are the only ones that are, and get half of
   // all samples.
-  const double mean_power = reduce_indices<ConcurrencyTag>(
-                                ranges.number, 0.,
-                                [&](std::size_t i) {
-    return surface.area[i] * std::pow(surface.possible_curvature[i], order_of_mean);
-                                },
-                                std::plus<double>()) /
+  const double mean_power =
+      reduce_indices<ConcurrencyTag>(
+          ranges.number, 0.,
+          [&](std::size_t i) {
+            return surface.area[i] * std::pow(surface.possible_curvature[i], order_of_mean);
+          },
+          std::plus<double>()) /
       scan.area;
   const double least =
       mean_power > 0. ? settings.least_curvature * std::pow(mean_power, 1. / order_of_mean) : 1.;
   std::vector<double> density(ranges.number), weight(ranges.number);
-  for_each_index<ConcurrencyTag>(0, ranges.number,
-                                 [&](std::size_t i)
-                                 {
+  for_each_index<ConcurrencyTag>(0, ranges.number, [&](std::size_t i) {
     const double curvature = surface.curvature[i];
     density[i] = std::pow(curvature * curvature + least * least, alpha / 2.);
   });

@@ -31,8 +31,9 @@ template <typename ConcurrencyTag>
 void scale_to_number(std::vector<double>& density, double number, const Curve_ranges& ranges,
                      const std::vector<double>& range_area, double densest)
 {
-  const auto limit = [&](std::size_t i)
-  { return densest * static_cast<double>(ranges.size(i)) / range_area[i]; };
+  const auto limit = [&](std::size_t i) {
+    return densest * static_cast<double>(ranges.size(i)) / range_area[i];
+  };
 
   struct Samples
   {
@@ -46,10 +47,9 @@ void scale_to_number(std::vector<double>& density, double number, const Curve_ra
   {
     const Samples samples = reduce_indices<ConcurrencyTag>(
         ranges.number, Samples{0., 0.},
-        [&](std::size_t i)
-        {
-      return scale * density[i] < limit(i) ? Samples{0., density[i] * range_area[i]}
-                                           : Samples{limit(i) * range_area[i], 0.};
+        [&](std::size_t i) {
+          return scale * density[i] < limit(i) ? Samples{0., density[i] * range_area[i]}
+                                               : Samples{limit(i) * range_area[i], 0.};
         },
         sum);
     const double next = (number - samples.limited) / samples.others; // infinite if all are limited
@@ -57,9 +57,9 @@ void scale_to_number(std::vector<double>& density, double number, const Curve_ra
       break;
     scale = next;
   }
-  for_each_index<ConcurrencyTag>(0, ranges.number,
-                                 [&](std::size_t i)
-                                 { density[i] = (std::min)(limit(i), scale * density[i]); });
+  for_each_index<ConcurrencyTag>(0, ranges.number, [&](std::size_t i) {
+    density[i] = (std::min)(limit(i), scale * density[i]);
+  });
 
   const double all = reduce_indices<ConcurrencyTag>(
       ranges.number, 0., [&](std::size_t i) { return density[i] * range_area[i]; },

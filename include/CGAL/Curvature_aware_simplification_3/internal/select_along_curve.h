@@ -35,8 +35,7 @@ std::vector<std::size_t> select_along_curve(const Curve_ranges& ranges,
 {
   CGAL_precondition(ranges.number <= ranges.number_of_points);
   std::vector<double> sum(ranges.number); // of the weights up to the end of the range
-  for_each_index<ConcurrencyTag>(0, ranges.number,
-                                 [&](std::size_t i) {
+  for_each_index<ConcurrencyTag>(0, ranges.number, [&](std::size_t i) {
     sum[i] = point_weight[i] * static_cast<double>(ranges.size(i));
   });
   sum_up<ConcurrencyTag>(sum);
@@ -44,9 +43,7 @@ std::vector<std::size_t> select_along_curve(const Curve_ranges& ranges,
   const double offset = Counter_based_random(seed, 0).uniform(0);
 
   std::vector<std::size_t> selected(number);
-  for_each_index<ConcurrencyTag>(0, number,
-                                 [&](std::size_t j)
-                                 {
+  for_each_index<ConcurrencyTag>(0, number, [&](std::size_t j) {
     const double wanted = (static_cast<double>(j) + offset) * piece;
     // rounding may ask for more than there is
     const std::size_t range = (std::min)(

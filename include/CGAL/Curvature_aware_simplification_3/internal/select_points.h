@@ -85,9 +85,7 @@ std::vector<std::size_t> select_points(const Cloud& cloud, const Features& featu
   };
   const Counter_based_random draw(parameters.random_seed, 0), removal(parameters.random_seed, 1);
   std::vector<State> state(cloud.input_size(), DUPLICATE);
-  for_each_index<ConcurrencyTag>(0, cloud.size(),
-                                 [&](std::size_t j)
-                                 {
+  for_each_index<ConcurrencyTag>(0, cloud.size(), [&](std::size_t j) {
     const std::size_t i = cloud.input_index[j];
     state[i] =
         draw.uniform(i) < probability(features.surface_variation[j], features.inverse_density[j])
@@ -99,10 +97,10 @@ std::vector<std::size_t> select_points(const Cloud& cloud, const Features& featu
       indices_where<ConcurrencyTag>(state.size(), [&](std::size_t i) { return state[i] == DRAWN; });
 
   // Of a set in random order, duplicates last, the first `count` elements
-  const auto choose = [&](std::vector<std::size_t>& set, std::size_t count)
-  {
-    const auto key = [&](std::size_t i)
-    { return std::make_tuple(state[i] == DUPLICATE, removal.bits(i), i); };
+  const auto choose = [&](std::vector<std::size_t>& set, std::size_t count) {
+    const auto key = [&](std::size_t i) {
+      return std::make_tuple(state[i] == DUPLICATE, removal.bits(i), i);
+    };
     if (count < set.size())
       std::nth_element(set.begin(), set.begin() + static_cast<std::ptrdiff_t>(count), set.end(),
                        [&](std::size_t i, std::size_t j) { return key(i) < key(j); });
@@ -112,8 +110,8 @@ std::vector<std::size_t> select_points(const Cloud& cloud, const Features& featu
     choose(selected, number_of_points);
   else if (selected.size() < number_of_points)
   {
-    std::vector<std::size_t> others = indices_where<ConcurrencyTag>(state.size(), [&](std::size_t i)
-                                                                    { return state[i] != DRAWN; });
+    std::vector<std::size_t> others = indices_where<ConcurrencyTag>(
+        state.size(), [&](std::size_t i) { return state[i] != DRAWN; });
     choose(others, number_of_points - selected.size());
     selected.insert(selected.end(), others.begin(), others.end());
   }

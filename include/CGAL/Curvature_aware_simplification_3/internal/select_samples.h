@@ -45,9 +45,7 @@ std::vector<Surface_sample> select_samples(Scan& scan, const Parameters& paramet
   scan.points = std::vector<Point>();
   scan.inverse_density = Uninitialized_vector<double>();
   std::vector<Surface_sample> samples(number_of_samples);
-  for_each_index<ConcurrencyTag>(0, number_of_samples,
-                                 [&](std::size_t i)
-                                 {
+  for_each_index<ConcurrencyTag>(0, number_of_samples, [&](std::size_t i) {
     samples[i].point = selected_points[i];
     samples[i].spacing = lattice_spacing(wanted.density[wanted.ranges.range_of(selected[i])]);
     samples[i].noise = &scan.noise.at(selected[i]);
@@ -60,9 +58,7 @@ template <typename ConcurrencyTag>
 void place_on_surface(std::vector<Surface_sample>& samples, const Surface_fit& fit,
                       const Progress& progress)
 {
-  for_each_index<ConcurrencyTag>(samples.size(), progress,
-                                 [&](std::size_t i)
-                                 {
+  for_each_index<ConcurrencyTag>(samples.size(), progress, [&](std::size_t i) {
     Surface_sample& x = samples[i];
     x.place(fit.with(*x.noise), x.point, NULL_VECTOR, rounds_to_move);
   });

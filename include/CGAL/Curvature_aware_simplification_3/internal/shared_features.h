@@ -66,8 +66,7 @@ Shared_features compute_shared_features(const Cloud& cloud, const Neighbor_searc
       std::vector<std::uint8_t>(n, 0),
       Uninitialized_vector<std::uint32_t>(n)};
   std::vector<std::uint8_t>& represented = shared.represented;
-  const auto assign = [&](std::size_t i, const Local_features& local)
-  {
+  const auto assign = [&](std::size_t i, const Local_features& local) {
     shared.features.surface_variation[i] = local.surface_variation;
     shared.features.inverse_density[i] = local.inverse_density;
   };
@@ -77,48 +76,45 @@ Shared_features compute_shared_features(const Cloud& cloud, const Neighbor_searc
   Uninitialized_vector<std::atomic<std::uint32_t>> votes(n);
   for_each_index<ConcurrencyTag>(
       0, n, [&](std::size_t i) { votes[i].store(0, std::memory_order_relaxed); });
-  for_each_index<ConcurrencyTag>((n + sharing_block - 1) / sharing_block, progress,
-                                 [&](std::size_t block)
-                                 {
-    std::vector<Neighbor> neighbors;
-    const std::size_t begin = block * sharing_block, end = (std::min)(n, begin + sharing_block);
-    for (std::size_t i = begin; i < end; ++i)
-    {
-      if (is_done[i] != 0)
-        continue;
-      neighbors.clear();
-      const Local_features local =
-          local_features<DiagonalizeTraits>(search, cloud.points[i], size, cloud.coordinate_error,
-                                            [&](std::size_t j, double squared_distance) {
-        neighbors.push_back({j, squared_distance});
-          });
-      const bool is_flat = local.surface_variation <= largest_variation_of_flat_points;
-      const double limit = inner_half * local.inverse_density * static_cast<double>(size - 1);
-      assign(i, local);
-      is_done[i] = 1;
-      represented[i] = 1;
-      for (const Neighbor& neighbor : neighbors)
-      {
-        const std::size_t j = neighbor.index;
-        if (is_flat && neighbor.squared_distance <= limit && j >= begin && j < end &&
-            is_done[j] == 0 && represented[i] < most)
+  for_each_index<ConcurrencyTag>(
+      (n + sharing_block - 1) / sharing_block, progress, [&](std::size_t block) {
+        std::vector<Neighbor> neighbors;
+        const std::size_t begin = block * sharing_block, end = (std::min)(n, begin + sharing_block);
+        for (std::size_t i = begin; i < end; ++i)
         {
-          assign(j, local);
-          is_done[j] = 1;
-          ++represented[i];
+          if (is_done[i] != 0)
+            continue;
+          neighbors.clear();
+          const Local_features local = local_features<DiagonalizeTraits>(
+              search, cloud.points[i], size, cloud.coordinate_error,
+              [&](std::size_t j, double squared_distance) {
+                neighbors.push_back({j, squared_distance});
+              });
+          const bool is_flat = local.surface_variation <= largest_variation_of_flat_points;
+          const double limit = inner_half * local.inverse_density * static_cast<double>(size - 1);
+          assign(i, local);
+          is_done[i] = 1;
+          represented[i] = 1;
+          for (const Neighbor& neighbor : neighbors)
+          {
+            const std::size_t j = neighbor.index;
+            if (is_flat && neighbor.squared_distance <= limit && j >= begin && j < end &&
+                is_done[j] == 0 && represented[i] < most)
+            {
+              assign(j, local);
+              is_done[j] = 1;
+              ++represented[i];
+            }
+          }
+          for (const Neighbor& neighbor : neighbors)
+            votes[neighbor.index].fetch_add(represented[i], std::memory_order_relaxed);
         }
-      }
-      for (const Neighbor& neighbor : neighbors)
-        votes[neighbor.index].fetch_add(represented[i], std::memory_order_relaxed);
-    }
-  });
+      });
 
   // Far from all others, an outlier and its neighbors may happen to be flat: there, each speaks for
   // itself.
   const double sparse = sparseness_of(shared.features.inverse_density).of_outliers;
-  for_each_index<ConcurrencyTag>(0, n,
-                                 [&](std::size_t i)
-                                 {
+  for_each_index<ConcurrencyTag>(0, n, [&](std::size_t i) {
     if (represented[i] == 0 && shared.features.inverse_density[i] > sparse)
       assign(i, local_features<DiagonalizeTraits>(search, cloud.points[i], size,
                                                   cloud.coordinate_error));

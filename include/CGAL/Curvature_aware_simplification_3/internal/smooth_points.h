@@ -128,9 +128,7 @@ Noise_levels noise_left(const Noise_levels& noise, const std::vector<std::size_t
                         const std::vector<double>& variance)
 {
   Noise_levels left = noise.of_some(kept_points);
-  for_each_index<ConcurrencyTag>(0, left.of_range.size(),
-                                 [&](std::size_t range)
-                                 {
+  for_each_index<ConcurrencyTag>(0, left.of_range.size(), [&](std::size_t range) {
     Noise& here = left.of_range[range];
     const std::size_t begin = left.first_point[range], end = left.first_point[range + 1];
     if (!here.is_visible || begin == end) // not smoothed, or none is left
@@ -161,9 +159,7 @@ Noise_levels smooth_points(std::vector<Point>& points,
   const std::vector<std::size_t> kept_points =
       thin_points<ConcurrencyTag>(inverse_density, noise, number_of_samples);
   std::vector<double> variance(kept_points.size());
-  for_each_index<ConcurrencyTag>(kept_points.size(), progress,
-                                 [&](std::size_t i)
-                                 {
+  for_each_index<ConcurrencyTag>(kept_points.size(), progress, [&](std::size_t i) {
     const std::size_t j = kept_points[i];
     const Smoothed_point result =
         smooth_point(fit.with(noise.at(j)), points[j], inverse_density[j]);

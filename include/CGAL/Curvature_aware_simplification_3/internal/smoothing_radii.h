@@ -144,9 +144,7 @@ void set_smoothing_radii(Noise_levels& noise, const std::vector<Point>& points,
       noise_probes<ConcurrencyTag>(points, many_probes(points.size(), settings.most_noise_probes));
   const std::size_t number = probes.points.size();
   std::vector<Fit_difference> differences(number);
-  for_each_index<ConcurrencyTag>(0, number,
-                                 [&](std::size_t i)
-                                 {
+  for_each_index<ConcurrencyTag>(0, number, [&](std::size_t i) {
     const Noise& here = noise.at(middle_of_part(i, number, points.size()));
     if (here.is_visible)
       differences[i] =

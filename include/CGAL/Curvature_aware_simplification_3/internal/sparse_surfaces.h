@@ -46,9 +46,9 @@ inline double variation_of_twice_the_radius(const Cloud& cloud, const Neighbor_s
                                             std::size_t k, std::size_t i)
 {
   Covariance_sums sums;
-  search.for_each_nearest(cloud.points[i], neighbors_within_twice_the_radius(k) + 1,
-                          [&](std::size_t, const Point& p, double)
-                          { sums.add(p - cloud.points[i]); });
+  search.for_each_nearest(
+      cloud.points[i], neighbors_within_twice_the_radius(k) + 1,
+      [&](std::size_t, const Point& p, double) { sums.add(p - cloud.points[i]); });
   const Eigen::Vector3d lambda = eigenvalues(sums);
   return lambda(0) / lambda.sum();
 }
@@ -58,8 +58,7 @@ template <typename ConcurrencyTag>
 double median_variation(const Cloud& cloud, const Neighbor_search& search, std::size_t k,
                         const std::vector<std::size_t>& points)
 {
-  return median_of_some<ConcurrencyTag>(points.size(), 1000,
-                                        [&](std::size_t i) {
+  return median_of_some<ConcurrencyTag>(points.size(), 1000, [&](std::size_t i) {
     return variation_of_twice_the_radius(cloud, search, k, points[i]);
   });
 }
@@ -104,8 +103,7 @@ void unmark_sparse_surfaces(const Cloud& cloud, const Neighbor_search& search,
   const std::size_t flat_around_flat = share_of_many(1. / 4.);
   const std::size_t needed_support = share_of_many(needed_share);
 
-  const auto is_flat_and_sparse = [&](std::size_t i)
-  {
+  const auto is_flat_and_sparse = [&](std::size_t i) {
     return is_outlier[i] == 0 && features.surface_variation[i] <= least_variation_of_volumes &&
            features.inverse_density[i] > least_inverse_density;
   };
@@ -114,30 +112,29 @@ void unmark_sparse_surfaces(const Cloud& cloud, const Neighbor_search& search,
   std::vector<std::atomic<std::uint32_t>> support(cloud.size());
   for (int round = 0; round < most_rounds && !supporters.empty(); ++round)
   {
-    for_each_index<ConcurrencyTag>(0, supporters.size(),
-                                   [&](std::size_t s)
-                                   {
+    for_each_index<ConcurrencyTag>(0, supporters.size(), [&](std::size_t s) {
       std::vector<std::size_t> marked;
       std::size_t flat_and_sparse = 0; // with itself
       search.for_each_nearest(cloud.points[supporters[s]], many + 1,
-                              [&](std::size_t j, const Point&, double)
-                              {
-        if (is_outlier[j] != 0)
-          marked.push_back(j);
-        else if (is_flat_and_sparse(j))
-          ++flat_and_sparse;
-      });
+                              [&](std::size_t j, const Point&, double) {
+                                if (is_outlier[j] != 0)
+                                  marked.push_back(j);
+                                else if (is_flat_and_sparse(j))
+                                  ++flat_and_sparse;
+                              });
       if (round > 0 || flat_and_sparse > flat_around_flat)
         for (std::size_t j : marked)
           support[j].fetch_add(1, std::memory_order_relaxed);
     });
-    supporters = elements_at<ConcurrencyTag>(indices_where<ConcurrencyTag>(far_ones.size(),
-                                                                           [&](std::size_t f)
-                                                                           {
-      const std::size_t i = far_ones[f];
-      return is_outlier[i] != 0 && support[i].load(std::memory_order_relaxed) >= needed_support;
-                                             }),
-                                             far_ones);
+    supporters = elements_at<ConcurrencyTag>(
+        indices_where<ConcurrencyTag>(far_ones.size(),
+                                      [&](std::size_t f) {
+                                        const std::size_t i = far_ones[f];
+                                        return is_outlier[i] != 0 &&
+                                               support[i].load(std::memory_order_relaxed) >=
+                                                   needed_support;
+                                      }),
+        far_ones);
     for_each_index<ConcurrencyTag>(0, supporters.size(),
                                    [&](std::size_t s) { is_outlier[supporters[s]] = 0; });
   }

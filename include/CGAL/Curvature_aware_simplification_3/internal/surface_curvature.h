@@ -122,9 +122,7 @@ Surface_curvature surface_curvature(const Scan& scan, std::size_t number_of_samp
   std::vector<Point> centers(ranges.number);
   std::vector<const Noise*> noise_of_range(ranges.number);
   std::vector<std::size_t> number_of_pieces(ranges.number);
-  for_each_index<ConcurrencyTag>(0, ranges.number,
-                                 [&](std::size_t i)
-                                 {
+  for_each_index<ConcurrencyTag>(0, ranges.number, [&](std::size_t i) {
     const std::size_t middle = ranges.first_point(i) + ranges.size(i) / 2;
     centers[i] = scan.points[middle];
     noise_of_range[i] = &scan.noise.at(middle);
@@ -138,9 +136,7 @@ Surface_curvature surface_curvature(const Scan& scan, std::size_t number_of_samp
   });
   const Surface_balls balls(centers, pieces, number_of_pieces, progress, ConcurrencyTag());
 
-  for_each_index<ConcurrencyTag>(0, ranges.number,
-                                 [&](std::size_t i)
-                                 {
+  for_each_index<ConcurrencyTag>(0, ranges.number, [&](std::size_t i) {
     const Deviation deviation =
         deviation_from_plane(pieces, balls.of(i), centers[i], scan.coordinate_error);
     const Local_curvature local = curvature_of(deviation, *noise_of_range[i]);

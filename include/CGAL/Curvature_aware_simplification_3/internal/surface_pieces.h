@@ -44,9 +44,7 @@ surface_pieces(const std::vector<Point>& points,
 {
   Uninitialized_vector<Surface_piece> pieces(number_of_pieces);
   const Curve_ranges ranges{number_of_pieces, points.size()};
-  for_each_index<ConcurrencyTag>(0, number_of_pieces,
-                                 [&](std::size_t i)
-                                 {
+  for_each_index<ConcurrencyTag>(0, number_of_pieces, [&](std::size_t i) {
     const std::size_t begin = ranges.first_point(i), end = ranges.first_point(i + 1);
     Covariance_sums sums;
     double area = 0.;

@@ -37,9 +37,7 @@ std::vector<double> points_in_noise(const Noise_probes& probes, const Neighbor_s
 {
   const std::size_t number = probes.points.size(), points = noise.first_point.back();
   std::vector<double> in_ball(number, 0.);
-  for_each_index<ConcurrencyTag>(0, number,
-                                 [&](std::size_t i)
-                                 {
+  for_each_index<ConcurrencyTag>(0, number, [&](std::size_t i) {
     const Noise& here = noise.at(middle_of_part(i, number, points));
     if (here.is_visible)
       search.for_each_within(
@@ -72,9 +70,7 @@ std::vector<double> parts_against_noise(const std::vector<Point>& points,
       noise_probes<ConcurrencyTag>(points, many_probes(points.size(), settings.most_noise_probes));
   const std::vector<double> in_ball = points_in_noise<ConcurrencyTag>(probes, search, noise, most);
   std::vector<double> parts(probes.of_range.size());
-  for_each_index<ConcurrencyTag>(0, parts.size(),
-                                 [&](std::size_t range)
-                                 {
+  for_each_index<ConcurrencyTag>(0, parts.size(), [&](std::size_t range) {
     // The median over many places around: ranges may be shorter than noise is wide, and were those
     // far from the surface thinned less, noise would look larger.
     const double here =
@@ -92,9 +88,7 @@ std::vector<std::size_t> points_against_noise(const std::vector<double>& part_of
 {
   const Curve_ranges ranges{part_of_range.size(), number_of_points};
   std::vector<double> parts(number_of_points);
-  for_each_index<ConcurrencyTag>(0, ranges.number,
-                                 [&](std::size_t range)
-                                 {
+  for_each_index<ConcurrencyTag>(0, ranges.number, [&](std::size_t range) {
     for (std::size_t i = ranges.first_point(range); i < ranges.first_point(range + 1); ++i)
       parts[i] = part_of_range[range];
   });

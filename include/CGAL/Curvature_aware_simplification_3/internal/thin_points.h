@@ -50,9 +50,7 @@ std::vector<double> parts_to_smooth(const Uninitialized_vector<double>& inverse_
   const std::size_t n = inverse_density.size();
   const Curve_ranges ranges{n / points_in_range + 1, n};
   std::vector<double> parts(n);
-  for_each_index<ConcurrencyTag>(0, ranges.number,
-                                 [&](std::size_t range)
-                                 {
+  for_each_index<ConcurrencyTag>(0, ranges.number, [&](std::size_t range) {
     const std::size_t begin = ranges.first_point(range), end = ranges.first_point(range + 1);
     double sum = 0.;
     for (std::size_t i = begin; i < end; ++i)

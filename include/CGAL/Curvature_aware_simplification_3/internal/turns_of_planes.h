@@ -42,8 +42,7 @@ std::vector<double> median_turns(const Noise_probes& probes, const std::vector<s
                                  const Neighbor_search& search, std::size_t few)
 {
   constexpr std::size_t many = 28; // between two rings and three
-  const std::vector<double> turns = at_probes<ConcurrencyTag>(probes, ranges,
-                                                              [&](std::size_t i) {
+  const std::vector<double> turns = at_probes<ConcurrencyTag>(probes, ranges, [&](std::size_t i) {
     return turn_of_plane(search, probes.points[i], few, many);
   });
   std::vector<double> medians(probes.of_range.size(), 0.);

@@ -101,9 +101,9 @@ inline bool plane_with_most_points(const std::vector<Vector>& points, double tol
       continue;
     const Vector unit_normal = normal / length;
     const Local_plane plane{unit_normal, unit_normal * p};
-    const std::ptrdiff_t number =
-        std::count_if(points.begin(), points.end(),
-                      [&](const Vector& q) { return std::abs(plane.distance(q)) < tolerance; });
+    const std::ptrdiff_t number = std::count_if(points.begin(), points.end(), [&](const Vector& q) {
+      return std::abs(plane.distance(q)) < tolerance;
+    });
     if (number > most)
     {
       most = number;
@@ -149,10 +149,9 @@ inline bool two_planes(const std::vector<Vector>& points, double tolerance, Fold
       const Local_plane& other = last.planes[1 - i];
       choose(
           points,
-          [&](const Vector& p)
-          {
-        const double distance = std::abs(own.distance(p));
-        return distance < tolerance && distance < std::abs(other.distance(p));
+          [&](const Vector& p) {
+            const double distance = std::abs(own.distance(p));
+            return distance < tolerance && distance < std::abs(other.distance(p));
           },
           chosen);
       if (chosen.size() < 4) // three are always on a plane

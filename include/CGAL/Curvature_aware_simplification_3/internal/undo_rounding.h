@@ -33,15 +33,14 @@ inline double distance_to_next_level(const Point& p, double gap, double unseen,
   if (gap == 0.)
     return unseen;
   double distance = unseen;
-  search.for_each_nearest(p + (1.5 * gap) * levels.direction, 1,
-                          [&](std::size_t, const Point& q, double)
-                          {
-    const Vector v = q - p;
-    const double height = v * levels.direction;
-    if (std::abs(height) > levels.tolerance && (height > 0.) == (gap > 0.))
-      distance =
-          (std::min)(unseen, std::sqrt((std::max)(v.squared_length() - height * height, 0.)));
-  });
+  search.for_each_nearest(
+      p + (1.5 * gap) * levels.direction, 1, [&](std::size_t, const Point& q, double) {
+        const Vector v = q - p;
+        const double height = v * levels.direction;
+        if (std::abs(height) > levels.tolerance && (height > 0.) == (gap > 0.))
+          distance =
+              (std::min)(unseen, std::sqrt((std::max)(v.squared_length() - height * height, 0.)));
+      });
   return distance;
 }
 
@@ -80,8 +79,7 @@ Depth_levels undo_rounding(Cloud& cloud, std::unique_ptr<Neighbor_search>& searc
   if (levels.heights.empty())
     return levels;
   // the search has copies of the points, which stay where they are
-  for_each_index<ConcurrencyTag>(0, points.size(),
-                                 [&](std::size_t i) {
+  for_each_index<ConcurrencyTag>(0, points.size(), [&](std::size_t i) {
     points[i] = points[i] + rounded_away(points[i], levels, *search) * levels.direction;
   });
   search.reset(); // two trees at once would take the most memory of the call
@@ -98,9 +96,7 @@ void allow_for_rounding(Noise_levels& noise, const std::vector<Point>& points,
                         const Depth_levels& levels)
 {
   constexpr double error_in_steps = 0.1;
-  for_each_index<ConcurrencyTag>(0, noise.of_range.size(),
-                                 [&](std::size_t range)
-                                 {
+  for_each_index<ConcurrencyTag>(0, noise.of_range.size(), [&](std::size_t range) {
     const std::size_t begin = noise.first_point[range], end = noise.first_point[range + 1];
     if (begin == end)
       return;

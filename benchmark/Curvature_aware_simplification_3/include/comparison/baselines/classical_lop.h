@@ -38,8 +38,9 @@ public:
   Points iteration(const Points& particles) const
   {
     const Neighbor_search others(particles, Tag());
-    return for_each_particle(particles, [&](const Point& x)
-                             { return x + attraction(x, 1.) + m_mu * repulsion(x, others); });
+    return for_each_particle(particles, [&](const Point& x) {
+      return x + attraction(x, 1.) + m_mu * repulsion(x, others);
+    });
   }
 
 private:
@@ -66,8 +67,7 @@ private:
   // mean of p_j - x with the weights theta(r) / r^exponent; none if no point is near
   Vector attraction(const Point& x, double exponent) const
   {
-    return mean_within(m_search, x, 1.,
-                       [&](double squared_distance) {
+    return mean_within(m_search, x, 1., [&](double squared_distance) {
       return theta(squared_distance) / std::pow(std::sqrt(squared_distance) / m_h + tiny, exponent);
     });
   }
@@ -76,9 +76,7 @@ private:
   // place no direction leads away.
   Vector repulsion(const Point& x, const Neighbor_search& others) const
   {
-    return mean_within(others, x, -1.,
-                       [&](double squared_distance)
-                       {
+    return mean_within(others, x, -1., [&](double squared_distance) {
       return squared_distance > 0.
                  ? theta(squared_distance) / std::pow(std::sqrt(squared_distance) / m_h + tiny, 5)
                  : 0.;
@@ -91,9 +89,7 @@ private:
   {
     double sum = 0.;
     Vector weighted_sum(0., 0., 0.);
-    search.for_each_within(x, m_h,
-                           [&](std::size_t, const Point& p, double squared_distance)
-                           {
+    search.for_each_within(x, m_h, [&](std::size_t, const Point& p, double squared_distance) {
       const double w = weight(squared_distance);
       sum += w;
       weighted_sum = weighted_sum + w * (p - x);

@@ -65,9 +65,9 @@ private:
     const std::array<double, 3> sides = {box.x_span(), box.y_span(), box.z_span()};
     const int axis = static_cast<int>(std::max_element(sides.begin(), sides.end()) - sides.begin());
     const std::size_t middle = begin + (end - begin) / 2;
-    std::nth_element(at(begin), at(middle), at(end),
-                     [&](std::size_t i, std::size_t j)
-                     { return m_points[i][axis] < m_points[j][axis]; });
+    std::nth_element(at(begin), at(middle), at(end), [&](std::size_t i, std::size_t j) {
+      return m_points[i][axis] < m_points[j][axis];
+    });
     build(begin, middle);
     m_nodes[index].second_child = m_nodes.size();
     build(middle, end);
@@ -131,10 +131,10 @@ inline Points farthest_points(const Points& points, std::size_t n)
     return result;
 
   const Point centroid = CGAL::centroid(points.begin(), points.end(), CGAL::Dimension_tag<0>());
-  const auto first = std::max_element(points.begin(), points.end(),
-                                      [&](const Point& p, const Point& q) {
-    return CGAL::squared_distance(p, centroid) < CGAL::squared_distance(q, centroid);
-  });
+  const auto first =
+      std::max_element(points.begin(), points.end(), [&](const Point& p, const Point& q) {
+        return CGAL::squared_distance(p, centroid) < CGAL::squared_distance(q, centroid);
+      });
   Farthest_point_tree tree(points);
   std::size_t next = static_cast<std::size_t>(first - points.begin());
   while (true)

@@ -39,10 +39,9 @@ inline Points hierarchy_points_of_variation(const Points& points, std::size_t n,
                                             double maximum_variation)
 {
   return search_count(
-      [&](double size)
-      {
-    return hierarchy_points(points, static_cast<unsigned int>(std::lround(size)),
-                            maximum_variation);
+      [&](double size) {
+        return hierarchy_points(points, static_cast<unsigned int>(std::lround(size)),
+                                maximum_variation);
       },
       static_cast<double>(points.size()), 1., n);
 }

@@ -71,11 +71,10 @@ private:
     Moments moments(m_points[i]);
     double largest = 0.;
     m_search.for_each_nearest(m_points[i], m_size,
-                              [&](std::size_t, const Point& p, double squared_distance)
-                              {
-      moments.add(1., p);
-      largest = std::max(largest, squared_distance);
-    });
+                              [&](std::size_t, const Point& p, double squared_distance) {
+                                moments.add(1., p);
+                                largest = std::max(largest, squared_distance);
+                              });
     m_bandwidth[i] = std::sqrt(largest);
     m_normal[i] = moments.principal_axes().axes[0];
   }
@@ -84,19 +83,18 @@ private:
   {
     double sum = 0.;
     Vector position(0., 0., 0.), normal(0., 0., 0.);
-    m_search.for_each_within(feature.position, h,
-                             [&](std::size_t j, const Point& p, double squared_distance)
-                             {
-      const double cosine = feature.normal * m_normal[j];
-      // of unit normals whose signs are chosen so that it is the smallest
-      const double squared_difference = 2. - 2. * std::abs(cosine);
-      const double weight =
-          std::exp(-2. * squared_distance / (h * h) -
-                   2. * squared_difference / (normal_bandwidth * normal_bandwidth));
-      sum += weight;
-      position = position + weight * (p - feature.position);
-      normal = normal + std::copysign(weight, cosine) * m_normal[j];
-    });
+    m_search.for_each_within(
+        feature.position, h, [&](std::size_t j, const Point& p, double squared_distance) {
+          const double cosine = feature.normal * m_normal[j];
+          // of unit normals whose signs are chosen so that it is the smallest
+          const double squared_difference = 2. - 2. * std::abs(cosine);
+          const double weight =
+              std::exp(-2. * squared_distance / (h * h) -
+                       2. * squared_difference / (normal_bandwidth * normal_bandwidth));
+          sum += weight;
+          position = position + weight * (p - feature.position);
+          normal = normal + std::copysign(weight, cosine) * m_normal[j];
+        });
     // sums of normals of one side never vanish
     return sum > 0. ? Feature{feature.position + position / sum,
                               normal / std::sqrt(normal.squared_length())}

@@ -66,10 +66,10 @@ public:
   Points representatives(const std::vector<Cluster>& clusters) const
   {
     Points result(clusters.size());
-    CGAL::Curvature_aware_simplification_3::internal::for_each_index<Tag>(0, clusters.size(),
-                                                                          [&](std::size_t i) {
-      result[i] = m_surface.project(principal_axes(clusters[i], m_points).center);
-    });
+    CGAL::Curvature_aware_simplification_3::internal::for_each_index<Tag>(
+        0, clusters.size(), [&](std::size_t i) {
+          result[i] = m_surface.project(principal_axes(clusters[i], m_points).center);
+        });
     return result;
   }
 
@@ -89,8 +89,7 @@ private:
     for (const Points* positions : {&m_modes, &m_points})
     {
       const Principal_axes axes = principal_axes(cluster, *positions);
-      const auto middle = std::stable_partition(cluster.begin(), cluster.end(),
-                                                [&](std::size_t i) {
+      const auto middle = std::stable_partition(cluster.begin(), cluster.end(), [&](std::size_t i) {
         return ((*positions)[i] - axes.center) * axes.axes[2] < 0.;
       });
       if (middle != cluster.begin() && middle != cluster.end())

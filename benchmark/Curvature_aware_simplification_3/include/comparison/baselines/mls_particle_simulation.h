@@ -81,13 +81,10 @@ public:
   {
     const Neighbor_search others(particles, Tag());
     std::vector<double> density(particles.size());
-    CGAL::Curvature_aware_simplification_3::internal::for_each_index<Tag>(0, particles.size(),
-                                                                          [&](std::size_t i) {
-      density[i] = m_local[nearest(particles[i])].density;
-    });
-    return transformed(particles,
-                       [&](std::size_t i)
-                       {
+    CGAL::Curvature_aware_simplification_3::internal::for_each_index<Tag>(
+        0, particles.size(),
+        [&](std::size_t i) { density[i] = m_local[nearest(particles[i])].density; });
+    return transformed(particles, [&](std::size_t i) {
       const Point x =
           particles[i] + displacement(particles[i], density[i], radius, others, density);
       const Principal_axes& plane = m_local[nearest(x)].axes;
@@ -111,9 +108,7 @@ private:
     const std::size_t size = std::min<std::size_t>(17, m_points.size());
     double largest = 0.;
     Moments moments(p);
-    m_search.for_each_nearest(p, size,
-                              [&](std::size_t, const Point& q, double squared_distance)
-                              {
+    m_search.for_each_nearest(p, size, [&](std::size_t, const Point& q, double squared_distance) {
       moments.add(1., q);
       largest = std::max(largest, squared_distance);
     });
@@ -137,13 +132,12 @@ private:
     Vector sum(0., 0., 0.);
     // no pair's radius is above twice the smaller one
     others.for_each_within(x, 2. * own_radius,
-                           [&](std::size_t i, const Point& x_i, double squared_distance)
-                           {
-      const double r = 2. * radius / (own_density + density[i]);
-      const double distance = std::sqrt(squared_distance);
-      if (distance < r)
-        sum = sum + (r - distance) / r * (x - x_i);
-    });
+                           [&](std::size_t i, const Point& x_i, double squared_distance) {
+                             const double r = 2. * radius / (own_density + density[i]);
+                             const double distance = std::sqrt(squared_distance);
+                             if (distance < r)
+                               sum = sum + (r - distance) / r * (x - x_i);
+                           });
     sum = m_parameters.force_constant * sum;
     const double length = std::sqrt(sum.squared_length());
     return length > own_radius / 2. ? own_radius / 2. / length * sum : sum;

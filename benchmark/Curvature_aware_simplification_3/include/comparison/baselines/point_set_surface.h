@@ -61,9 +61,7 @@ private:
     std::vector<Weighted_point> neighbors;
     neighbors.reserve(m_size);
     double largest = 0.;
-    m_search.for_each_nearest(x, m_size,
-                              [&](std::size_t, const Point& p, double squared_distance)
-                              {
+    m_search.for_each_nearest(x, m_size, [&](std::size_t, const Point& p, double squared_distance) {
       neighbors.push_back({p, squared_distance});
       largest = std::max(largest, squared_distance);
     });

@@ -28,8 +28,9 @@ inline Points random_subset(const Points& points, const std::vector<double>& wei
   std::vector<std::size_t> order(points.size());
   std::iota(order.begin(), order.end(), std::size_t(0));
   n = std::min(n, points.size());
-  const auto earlier = [&](std::size_t i, std::size_t j)
-  { return arrival[i] != arrival[j] ? arrival[i] < arrival[j] : i < j; };
+  const auto earlier = [&](std::size_t i, std::size_t j) {
+    return arrival[i] != arrival[j] ? arrival[i] < arrival[j] : i < j;
+  };
   if (n < points.size())
     std::nth_element(order.begin(), order.begin() + static_cast<std::ptrdiff_t>(n), order.end(),
                      earlier);

@@ -20,8 +20,7 @@ auto search_count(const Simplify& simplify, double few, double many, std::size_t
 {
   auto best = simplify(few);
   const auto difference = [n](std::size_t count) { return count < n ? n - count : count - n; };
-  const auto try_parameter = [&](double parameter)
-  {
+  const auto try_parameter = [&](double parameter) {
     auto result = simplify(parameter);
     const std::size_t count = result.size();
     if (difference(count) < difference(best.size()))

@@ -28,8 +28,7 @@ inline Points voxel_centroids(const Points& points, double cell_size)
   if (!(std::max({box.x_span(), box.y_span(), box.z_span()}) < cells_per_side * cell_size))
     throw std::invalid_argument("the cells are too small for keys of 64 bits");
 
-  const auto cell = [&](const Point& p)
-  {
+  const auto cell = [&](const Point& p) {
     std::uint64_t key = 0;
     for (int axis = 0; axis < 3; ++axis)
       key = (key << bits_per_cell_coordinate) |
