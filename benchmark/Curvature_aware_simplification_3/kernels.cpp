@@ -45,19 +45,16 @@ struct Stages
 {
   explicit Stages(std::size_t size)
     : points(comparison::sample(comparison::torus(), size, 0)),
-      cloud(make_cloud<Tag>(points, relative_error)),
-      search(cloud.points, Tag()),
-      features(compute_features<Tag, Diagonalize_traits>(cloud, search, 16, Progress(no_callback))),
+      cloud(make_cloud<Tag>(points, relative_error, Progress(no_callback))),
+      features(compute_features<Tag, Diagonalize_traits>(cloud, 16, Progress(no_callback))),
       parameters(read_parameters(
           CGAL::parameters::number_of_output_points(size / 10).number_of_iterations(1), size)),
       samples(distinct_samples<Tag>(cloud, select_points<Tag>(cloud, features, parameters)).points),
       radius(radius_in_spacings * sample_spacing<Tag>(samples)),
-      fit{search},
-      scan{cloud.points,
-           nullptr,
+      fit{*cloud.search},
+      scan{{cloud.points, nullptr, cloud.coordinate_error},
            features.inverse_density,
            uniform_noise(0., cloud.size()),
-           cloud.coordinate_error,
            area_of_surface<Tag>(features.inverse_density),
            {},
            false}
@@ -65,7 +62,6 @@ struct Stages
 
   std::vector<Point> points;
   Cloud cloud;
-  Neighbor_search search;
   Features features;
   Parameters parameters;
   std::vector<Point> samples;
@@ -100,8 +96,9 @@ void measure(benchmark::State& state, const Function& function)
 
 void sorting(benchmark::State& state)
 {
-  measure(state,
-          [](Stages& s) { benchmark::DoNotOptimize(make_cloud<Tag>(s.points, relative_error)); });
+  measure(state, [](Stages& s) {
+    benchmark::DoNotOptimize(make_cloud<Tag>(s.points, relative_error, Progress(no_callback)));
+  });
 }
 
 void tree_building(benchmark::State& state)
@@ -113,15 +110,15 @@ void features(benchmark::State& state)
 {
   measure(state, [](Stages& s) {
     benchmark::DoNotOptimize(
-        compute_features<Tag, Diagonalize_traits>(s.cloud, s.search, 16, Progress(no_callback)));
+        compute_features<Tag, Diagonalize_traits>(s.cloud, 16, Progress(no_callback)));
   });
 }
 
 void shared_features(benchmark::State& state)
 {
   measure(state, [](Stages& s) {
-    benchmark::DoNotOptimize(compute_shared_features<Tag, Diagonalize_traits>(
-        s.cloud, s.search, 16, Progress(no_callback)));
+    benchmark::DoNotOptimize(
+        compute_shared_features<Tag, Diagonalize_traits>(s.cloud, 16, Progress(no_callback)));
   });
 }
 
@@ -136,7 +133,7 @@ void one_relaxation_step(benchmark::State& state)
 {
   measure(state, [](Stages& s) {
     benchmark::DoNotOptimize(relax_repeatedly<Tag, Diagonalize_traits>(
-        s.samples, s.cloud, s.search, s.features, s.radius, s.parameters, Progress(no_callback)));
+        s.samples, s.cloud, s.features, s.radius, s.parameters, Progress(no_callback)));
   });
 }
 

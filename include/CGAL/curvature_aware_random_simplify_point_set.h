@@ -7,7 +7,6 @@
 #define CGAL_CURVATURE_AWARE_RANDOM_SIMPLIFY_POINT_SET_H
 
 #include <CGAL/Curvature_aware_simplification_3/internal/Cloud.h>
-#include <CGAL/Curvature_aware_simplification_3/internal/Neighbor_search.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Progress.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/features.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/input.h>
@@ -168,11 +167,11 @@ curvature_aware_random_simplify_point_set(const PointRange& points, OutputIterat
   {
     const internal::Progress progress(parameters.callback);
     progress.report(0.);
-    const internal::Cloud cloud = internal::read_cloud<ConcurrencyTag>(points, np);
-    const internal::Neighbor_search search(cloud.points, ConcurrencyTag());
+    const internal::Cloud cloud =
+        internal::read_cloud<ConcurrencyTag>(points, np, progress.part(0., 0.1));
     const internal::Features features =
         internal::compute_features<ConcurrencyTag, typename Types::Diagonalize_traits>(
-            cloud, search, parameters.number_of_neighbors, progress.part(0., 0.9));
+            cloud, parameters.number_of_neighbors, progress.part(0.1, 0.9));
     selected = internal::select_points<ConcurrencyTag>(cloud, features, parameters);
     progress.report(1.);
   }

@@ -7,7 +7,6 @@
 #define CGAL_ESTIMATE_SURFACE_VARIATION_H
 
 #include <CGAL/Curvature_aware_simplification_3/internal/Cloud.h>
-#include <CGAL/Curvature_aware_simplification_3/internal/Neighbor_search.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Progress.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/features.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/input.h>
@@ -118,11 +117,11 @@ bool estimate_surface_variation(PointRange& points, std::size_t k,
   {
     const internal::Progress progress(callback);
     progress.report(0.);
-    const internal::Cloud cloud = internal::read_cloud<ConcurrencyTag>(points, np);
-    const internal::Neighbor_search search(cloud.points, ConcurrencyTag());
+    const internal::Cloud cloud =
+        internal::read_cloud<ConcurrencyTag>(points, np, progress.part(0., 0.1));
     const internal::Features features =
         internal::compute_features<ConcurrencyTag, typename Types::Diagonalize_traits>(
-            cloud, search, k, progress);
+            cloud, k, progress.part(0.1, 1.));
     const std::vector<std::size_t> distinct_index =
         internal::distinct_indices<ConcurrencyTag>(cloud);
     std::size_t i = 0;

@@ -128,11 +128,15 @@ inline std::vector<Point> frames_of_a_scanner_at_rest(int n, int frames, double 
   return points;
 }
 
-inline Shared_features shared_features_of(const Cloud& cloud, const Neighbor_search& search,
-                                          std::size_t k = 16)
+inline Cloud cloud_of(const std::vector<Point>& points, double relative_error = 1e-16)
+{
+  return make_cloud<Tag>(points, relative_error, Progress(no_callback));
+}
+
+inline Shared_features shared_features_of(const Searchable_points& cloud, std::size_t k = 16)
 {
   return compute_shared_features<Tag, CGAL::Default_diagonalize_traits<double, 3>>(
-      cloud, search, k, Progress(no_callback));
+      cloud, k, Progress(no_callback));
 }
 
 // distance to the nearest edge of the cube [0, 1]^3: the two smaller distances to its planes

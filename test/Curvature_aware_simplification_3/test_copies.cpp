@@ -49,17 +49,16 @@ std::vector<Point> lattice(int n)
 // in the unit of the points
 double distance_of_copies_in(const std::vector<Point>& points)
 {
-  const Cloud cloud = make_cloud<Tag>(points, 1e-16);
-  const Neighbor_search search(cloud.points, Tag());
+  const Cloud cloud = cloud_of(points);
+  const Neighbor_search& search = *cloud.search;
   return cloud.frame.length_from_frame(distance_of_copies<Tag>(cloud.points, search, 64));
 }
 
 std::vector<Point> merged(const std::vector<Point>& points, std::size_t number_of_samples)
 {
-  Cloud cloud = make_cloud<Tag>(points, 1e-16);
-  auto search = std::make_unique<Neighbor_search>(cloud.points, Tag());
-  merge_copies<Tag>(cloud, search, number_of_samples, Progress(no_callback));
-  EXPECT_EQ(search->size(), cloud.size());
+  Cloud cloud = cloud_of(points);
+  merge_copies<Tag>(cloud, number_of_samples, Progress(no_callback));
+  EXPECT_EQ(cloud.search->size(), cloud.size());
   return each(cloud.points, [&](const Point& p) {
     return cloud.frame.from_frame(p, std::numeric_limits<double>::max());
   });
@@ -209,8 +208,8 @@ TEST(Copies, are_not_looked_for_among_all_points_of_a_dense_place)
   const std::vector<Point> returns =
       with_noise(std::vector<Point>(27000, Point(20., 20., 100.)), 1e-4, 14);
   points.insert(points.end(), returns.begin(), returns.end());
-  const Cloud cloud = make_cloud<Tag>(points, 1e-16);
-  const Neighbor_search search(cloud.points, Tag());
+  const Cloud cloud = cloud_of(points);
+  const Neighbor_search& search = *cloud.search;
   const Copies_of_places copies = find_copies<Tag>(cloud.points, search, 10000);
   ASSERT_GT(copies.distance, 0.);
   EXPECT_EQ(copies.most, 64u);

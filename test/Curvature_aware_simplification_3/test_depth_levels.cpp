@@ -276,8 +276,7 @@ TEST(Rounding_of_depth, leaves_a_tenth_of_a_step)
 {
   for (double step : {2., 3., 5., 8.})
   {
-    Cloud cloud = make_cloud<Tag>(depth_frame(200, step, waves), 0.);
-    std::unique_ptr<Neighbor_search> search(new Neighbor_search(cloud.points, Tag()));
+    Cloud cloud = cloud_of(depth_frame(200, step, waves), 0.);
     const auto error = [&] {
       double sum = 0.;
       for (const Point& p : cloud.points)
@@ -288,11 +287,11 @@ TEST(Rounding_of_depth, leaves_a_tenth_of_a_step)
       return std::sqrt(sum / static_cast<double>(cloud.size())) / step;
     };
     EXPECT_NEAR(error(), std::sqrt(1. / 12.), 0.02);
-    const Depth_levels levels = undo_rounding<Tag>(cloud, search);
+    const Depth_levels levels = undo_rounding<Tag>(cloud);
     EXPECT_FALSE(levels.heights.empty());
     EXPECT_LT(error(), 0.15) << step; // borders of steps are known to half a spacing
     // the search knows where the points are now
-    search->for_each_nearest(cloud.points[5], 1, [&](std::size_t i, const Point& p, double) {
+    cloud.search->for_each_nearest(cloud.points[5], 1, [&](std::size_t i, const Point& p, double) {
       EXPECT_EQ(i, 5u);
       EXPECT_EQ(p, cloud.points[5]);
     });

@@ -29,13 +29,13 @@ using namespace inputs;
 Noise_levels noise_at_places(const Cloud& cloud,
                              const Adaptive_settings& settings = default_settings)
 {
-  return measure_noise<Tag>(cloud.points, Neighbor_search(cloud.points, Tag()),
+  return measure_noise<Tag>(cloud.points, *cloud.search,
                             many_probes(cloud.size(), settings.most_noise_probes), settings);
 }
 
 double noise_of(const std::vector<Point>& points)
 {
-  const Cloud cloud = make_cloud<Tag>(points, 1e-16);
+  const Cloud cloud = cloud_of(points);
   return cloud.frame.length_from_frame(noise_at_places(cloud).median());
 }
 
@@ -88,7 +88,7 @@ TEST(Noise_level, is_that_of_the_place)
   std::vector<Point> points = with_noise(surfaces::square(50000, 8), 0.001, 9);
   for (const Point& p : with_noise(surfaces::square(50000, 10), 0.004, 11))
     points.emplace_back(p.x() + 1., p.y(), p.z());
-  const Cloud cloud = make_cloud<Tag>(points, 1e-16);
+  const Cloud cloud = cloud_of(points);
   const std::vector<double> levels = noise_of_points(cloud);
   for (std::size_t i = 0; i < cloud.size(); ++i)
   {
@@ -112,8 +112,7 @@ TEST(Noise_level, of_a_thin_part_is_not_its_thickness)
     for (const Point& p : surfaces::square(on_wire, 9))
       points.emplace_back(1. + 4. * p.x(), 0.04 * std::cos(2. * CGAL_PI * p.y()),
                           0.04 * std::sin(2. * CGAL_PI * p.y()));
-    const std::vector<double> levels =
-        noise_of_points(make_cloud<Tag>(with_noise(points, sigma, 10), 1e-16));
+    const std::vector<double> levels = noise_of_points(cloud_of(with_noise(points, sigma, 10)));
     const auto wrong = std::count_if(levels.begin(), levels.end(), [&](double level) {
       return level < 0.7 * sigma || level > 1.3 * sigma;
     });
@@ -235,7 +234,7 @@ TEST(Noise_level, along_one_axis_differs_by_place)
   std::vector<Point> points;
   for (const Point& p : surfaces::torus(60000, 3., 1., 8))
     points.emplace_back(p.x() + sigma * surfaces::normal_deviate(random), p.y(), p.z());
-  const Cloud cloud = make_cloud<Tag>(points, 1e-16);
+  const Cloud cloud = cloud_of(points);
   const Noise_levels noise = noise_at_places(cloud);
   double squares = 0.;
   for (std::size_t i = 0; i < cloud.size(); ++i)
@@ -271,7 +270,7 @@ TEST(Noise_level, of_a_thick_part_of_few_points_is_that_of_others)
   std::vector<Point> points = surfaces::sphere(700, 8);
   for (const Point& p : surfaces::square(300, 9))
     points.emplace_back(3. + 8. * p.x(), 0., 0.);
-  const Cloud cloud = make_cloud<Tag>(with_noise(points, sigma, 10), 1e-16);
+  const Cloud cloud = cloud_of(with_noise(points, sigma, 10));
   const std::vector<double> levels = noise_of_points(cloud);
   for (std::size_t i = 0; i < cloud.size(); ++i)
   {
@@ -293,7 +292,7 @@ TEST(Noise_level, is_found_on_lines_of_a_scan)
     for (int i = 0; i < 50; ++i)
       for (int j = 0; j < 50. / distance; ++j)
         points.emplace_back(i, distance * j, sigma * surfaces::normal_deviate(random));
-    for (double level : noise_of_points(make_cloud<Tag>(points, 1e-16)))
+    for (double level : noise_of_points(cloud_of(points)))
       EXPECT_NEAR(level, sigma, 0.25 * sigma) << distance;
   }
 }
@@ -310,7 +309,7 @@ TEST(Noise_level, is_found_on_lines_of_a_scan_of_two_close_sheets)
       for (int j = 0; j < 250; ++j)
         points.emplace_back(i, 0.2 * (j + 0.5 * random.get_double()),
                             1.5 * sheet + sigma * surfaces::normal_deviate(random));
-  for (double level : noise_of_points(make_cloud<Tag>(points, 1e-16)))
+  for (double level : noise_of_points(cloud_of(points)))
     EXPECT_NEAR(level, sigma, 0.25 * sigma);
 }
 
@@ -407,8 +406,7 @@ TEST(Noise_level, is_found_in_columns_of_points)
   for (int frames : {5, 10, 20})
     for (double sigma : {0.05, 0.3, 1.})
     {
-      const Cloud cloud =
-          make_cloud<Tag>(frames_of_a_scanner_at_rest(60, frames, sigma, 42), 1e-16);
+      const Cloud cloud = cloud_of(frames_of_a_scanner_at_rest(60, frames, sigma, 42));
       Noise_levels noise = noise_at_places(cloud);
       const double unit = cloud.frame.length_to_frame(1.);
       // Waves are oblique to the directions, and their noise is along these. Less is hidden by the
@@ -437,8 +435,8 @@ TEST(Noise_level, is_found_in_columns_that_scatter)
     for (double part : {0.02, 0.1, 0.2})
     {
       const double sigma = 0.3;
-      const Cloud cloud = make_cloud<Tag>(
-          with_noise(frames_of_a_scanner_at_rest(100, frames, sigma, 42), part * sigma, 43), 1e-16);
+      const Cloud cloud = cloud_of(
+          with_noise(frames_of_a_scanner_at_rest(100, frames, sigma, 42), part * sigma, 43));
       const Noise_levels noise = noise_at_places(cloud);
       EXPECT_NEAR(noise.median() / (sigma * cloud.frame.length_to_frame(1.)), 0.75, 0.1)
           << frames << ' ' << part;
@@ -515,8 +513,8 @@ TEST(Columns_of_points, rise_from_the_surface)
       for (int f = -2; f <= 2; ++f)
         points.push_back(place + 0.1 * f * direction + Vector(error(), error(), error()));
     }
-    const Cloud cloud = make_cloud<Tag>(points, 1e-16);
-    const Neighbor_search search(cloud.points, Tag());
+    const Cloud cloud = cloud_of(points);
+    const Neighbor_search& search = *cloud.search;
     const Noise_probes probes = noise_probes<Tag>(cloud.points, few_probes);
     const std::vector<std::size_t> ranges = all_ranges(probes);
     const std::vector<Vector> axes = parallel_axes<Tag>(probes, ranges, search);
@@ -535,7 +533,7 @@ TEST(Columns_of_points, rise_from_the_surface)
 // The probes of a range and those that count for it
 TEST(Noise_probes, are_around_the_middle_of_their_range)
 {
-  const Cloud cloud = make_cloud<Tag>(surfaces::sphere(20000, 171), 1e-16);
+  const Cloud cloud = cloud_of(surfaces::sphere(20000, 171));
   const Noise_probes probes = noise_probes<Tag>(cloud.points, 1000);
   ASSERT_EQ(probes.points.size(), 1000u);
   ASSERT_EQ(probes.of_range.size(), 125u);
@@ -579,7 +577,7 @@ TEST(Noise_level, sees_no_columns_elsewhere)
       lines};
   for (std::size_t i = 0; i < inputs.size(); ++i)
   {
-    const Cloud cloud = make_cloud<Tag>(inputs[i], 1e-16);
+    const Cloud cloud = cloud_of(inputs[i]);
     const Noise_levels noise = noise_at_places(cloud);
     for (const Noise& here : noise.of_range)
       EXPECT_EQ(here.radius_of_columns, 0.) << i;
@@ -663,8 +661,7 @@ TEST(Planes_of_few_points, turn_from_that_of_many)
 TEST(Planes_of_few_points, take_nothing_from_the_noise_of_planes_and_of_columns)
 {
   const auto with_and_without_limit = [](const std::vector<Point>& points) {
-    const Cloud cloud = make_cloud<Tag>(points, 1e-16);
-    const Neighbor_search search(cloud.points, Tag());
+    const Cloud cloud = cloud_of(points);
     Adaptive_settings settings;
     settings.limit_noise_by_planes = false;
     const double without = noise_at_places(cloud, settings).median();
@@ -699,7 +696,7 @@ TEST(Noise_level, of_a_plate_as_thin_as_its_points_are_apart_is_not_its_thicknes
 TEST(Noise_level, of_a_clean_plate_as_thin_as_its_points_are_apart_is_none)
 {
   // 17 neighbors are on both sides, and look like a layer of noise; 7 are on one
-  for (double level : noise_of_points(make_cloud<Tag>(thin_plate(1.6), 1e-16)))
+  for (double level : noise_of_points(cloud_of(thin_plate(1.6))))
     EXPECT_LT(level, 1e-9);
 }
 

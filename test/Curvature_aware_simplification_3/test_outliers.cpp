@@ -27,15 +27,13 @@ using namespace inputs;
 
 std::vector<std::uint8_t> outliers_of(const Cloud& cloud, std::size_t k = 16)
 {
-  const Neighbor_search search(cloud.points, Tag());
-  return find_outliers<Tag>(cloud, search, shared_features_of(cloud, search, k), k,
-                            Adaptive_settings(), Progress(no_callback));
+  return find_outliers<Tag>(cloud, shared_features_of(cloud, k), Adaptive_settings(),
+                            Progress(no_callback));
 }
 
 bool are_far_points_dense_in(const Cloud& cloud)
 {
-  const Neighbor_search search(cloud.points, Tag());
-  const Features features = shared_features_of(cloud, search).features;
+  const Features features = shared_features_of(cloud).features;
   return are_far_points_dense<Tag>(features, sparseness_of(features.inverse_density));
 }
 
@@ -92,7 +90,7 @@ TEST(Outliers, are_not_lone_points_of_a_border)
     std::vector<Point> points = surfaces::square(3000, 3);
     add_outliers_in(CGAL::Bbox_3(0., 0., 0.05, 1., 1., 0.15), others, 4, points);
     points.emplace_back(x, y, z);
-    const Cloud cloud = make_cloud<Tag>(points, 0.);
+    const Cloud cloud = cloud_of(points, 0.);
     const std::vector<std::uint8_t> is_outlier = outliers_of(cloud);
     for (std::size_t i = 0; i < cloud.size(); ++i)
       if (cloud.input_index[i] + 1 == points.size())
@@ -113,8 +111,8 @@ TEST(Outliers, are_not_on_sparse_parts_of_a_surface)
   for (double sigma : {0., 0.0005})
     for (unsigned int seed : {131u, 132u, 133u})
     {
-      const Cloud cloud = make_cloud<Tag>(
-          with_noise(cube_far_from_a_scanner(100000, seed), sigma, seed + 10), 1e-16);
+      const Cloud cloud =
+          cloud_of(with_noise(cube_far_from_a_scanner(100000, seed), sigma, seed + 10));
       const std::vector<std::uint8_t> is_outlier = outliers_of(cloud);
       EXPECT_LE(std::count(is_outlier.begin(), is_outlier.end(), 1), 2) << sigma << ' ' << seed;
     }
@@ -148,7 +146,7 @@ TEST(Outliers, are_not_on_thin_sparse_parts_of_a_surface)
   for (double radius : {0.02, 0.04}) // a spacing of 0.03: as thick as wide
     for (unsigned int seed : {141u, 142u, 143u})
     {
-      const Cloud cloud = make_cloud<Tag>(plate_with_sparse_rod(radius, seed), 1e-16);
+      const Cloud cloud = cloud_of(plate_with_sparse_rod(radius, seed));
       const std::vector<std::uint8_t> is_outlier = outliers_of(cloud);
       EXPECT_LE(std::count(is_outlier.begin(), is_outlier.end(), 1), 5) << radius << ' ' << seed;
     }
@@ -178,12 +176,12 @@ TEST(Outliers, are_not_on_thin_parts_that_become_sparse)
   {
     std::vector<Point> points = sparse_helix(10., seed);
     const std::size_t surface = points.size();
-    const std::vector<std::uint8_t> is_outlier = outliers_of(make_cloud<Tag>(points, 1e-16));
+    const std::vector<std::uint8_t> is_outlier = outliers_of(cloud_of(points));
     // 107 to 143 where only flat points tell of a surface
     EXPECT_LE(std::count(is_outlier.begin(), is_outlier.end(), 1), 3) << seed;
 
     add_outliers(points, surface / 20, 2., seed + 10);
-    const Cloud cloud = make_cloud<Tag>(points, 1e-16);
+    const Cloud cloud = cloud_of(points);
     const std::vector<std::uint8_t> among_others = outliers_of(cloud);
     std::size_t lost = 0, found = 0;
     for (std::size_t i = 0; i < cloud.size(); ++i)
@@ -201,7 +199,7 @@ TEST(Outliers, around_a_sparse_thin_part_do_not_take_it_with_them)
     std::vector<Point> points = sparse_helix(30., seed);
     const std::size_t surface = points.size();
     add_outliers_in(CGAL::Bbox_3(-1.3, -1.3, -0.2, 1.3, 1.3, 2.4), surface / 20, seed + 10, points);
-    const Cloud cloud = make_cloud<Tag>(points, 1e-16);
+    const Cloud cloud = cloud_of(points);
     const std::vector<std::uint8_t> is_outlier = outliers_of(cloud);
     std::size_t lost = 0;
     for (std::size_t i = 0; i < cloud.size(); ++i)
@@ -216,10 +214,7 @@ struct Far_outliers
 {
   template <typename Is_far>
   Far_outliers(const std::vector<Point>& points, const Is_far& is_far)
-    : cloud(make_cloud<Tag>(points, 1e-16)),
-      search(cloud.points, Tag()),
-      shared(shared_features_of(cloud, search)),
-      is_outlier(cloud.size())
+    : cloud(cloud_of(points)), shared(shared_features_of(cloud)), is_outlier(cloud.size())
   {
     for (std::size_t i = 0; i < cloud.size(); ++i)
       if (shared.features.surface_variation[i] > least_variation_of_volumes &&
@@ -236,8 +231,8 @@ struct Far_outliers
   {
     std::vector<std::uint8_t> result = is_outlier;
     unmark_sparse_surfaces<ConcurrencyTag>(
-        cloud, search, shared.features, 16,
-        sparseness_of(shared.features.inverse_density).of_outliers, needed_share, asked, result);
+        cloud, shared.features, sparseness_of(shared.features.inverse_density).of_outliers,
+        needed_share, asked, result);
     return result;
   }
 
@@ -246,18 +241,17 @@ struct Far_outliers
                                              const std::vector<std::size_t>& asked) const
   {
     std::vector<std::uint8_t> result = is_outlier;
-    unmark_connected<ConcurrencyTag>(cloud, search, shared.features, 16, are_likely, asked, result);
+    unmark_connected<ConcurrencyTag>(cloud, shared.features, are_likely, asked, result);
     return result;
   }
 
   double needed_share(std::size_t number_with_few_votes) const
   {
     return needed_share_of_support(
-        are_outliers_likely<Tag>(cloud, search, 16, number_with_few_votes, far_ones));
+        are_outliers_likely<Tag>(cloud, 16, number_with_few_votes, far_ones));
   }
 
   Cloud cloud;
-  Neighbor_search search;
   Shared_features shared;
   std::vector<std::uint8_t> is_outlier;
   std::vector<std::size_t> far_ones;
@@ -293,11 +287,9 @@ TEST(Outliers, do_not_depend_on_the_unit_for_any_number_of_neighbors)
       std::vector<Point> scaled;
       for (const Point& p : points)
         scaled.push_back(CGAL::ORIGIN + unit * (p - CGAL::ORIGIN));
-      const Cloud cloud = make_cloud<Tag>(scaled, 1e-16);
-      const Neighbor_search search(cloud.points, Tag());
-      const std::vector<std::uint8_t> is_outlier =
-          find_outliers<Tag>(cloud, search, shared_features_of(cloud, search, k), k,
-                             Adaptive_settings(), Progress(no_callback));
+      const Cloud cloud = cloud_of(scaled);
+      const std::vector<std::uint8_t> is_outlier = find_outliers<Tag>(
+          cloud, shared_features_of(cloud, k), Adaptive_settings(), Progress(no_callback));
       return std::count(is_outlier.begin(), is_outlier.end(), 1);
     };
     const auto expected = number_of_outliers(1.);
@@ -326,7 +318,7 @@ TEST(Outliers, are_not_walls_whose_noise_is_as_large_as_the_distances_of_their_p
                                  std::make_pair(5000u, 3.), std::make_pair(600u, 1.5)})
     for (unsigned int seed : {181u, 182u})
     {
-      const Cloud cloud = make_cloud<Tag>(near_and_far_wall(60000, m, noise, seed), 1e-16);
+      const Cloud cloud = cloud_of(near_and_far_wall(60000, m, noise, seed));
       const std::vector<std::uint8_t> is_outlier = outliers_of(cloud);
       std::size_t lost = 0;
       for (std::size_t i = 0; i < cloud.size(); ++i)
@@ -351,7 +343,7 @@ TEST(Outliers, in_a_flat_box_are_found)
         are_far += std::abs(p.z()) > 0.02 ? 1 : 0; // 3.5 spacings
         points.push_back(p);
       }
-      const Cloud cloud = make_cloud<Tag>(points, 1e-16);
+      const Cloud cloud = cloud_of(points);
       const std::vector<std::uint8_t> is_outlier = outliers_of(cloud);
       std::size_t found = 0;
       for (std::size_t i = 0; i < cloud.size(); ++i)
@@ -412,8 +404,8 @@ TEST(Outliers,
                                 return expected[j] == 0;
                               }) >= 8)
       {
-        const bool is_space = variation_of_twice_the_radius(outliers.cloud, outliers.search, 16,
-                                                            i) > largest_variation_of_parts;
+        const bool is_space =
+            variation_of_twice_the_radius(outliers.cloud, 16, i) > largest_variation_of_parts;
         are_some_space |= is_space;
         is_any_new |= !is_space;
         expected[i] = is_space ? 1 : 0;
@@ -455,7 +447,7 @@ TEST(Outliers, are_found)
   {
     std::vector<Point> points = with_noise(surfaces::sphere(20000, 12), noise, 13);
     add_outliers(points, 1500, 1.2, 14);
-    const Cloud cloud = make_cloud<Tag>(points, 1e-16);
+    const Cloud cloud = cloud_of(points);
     const std::vector<std::uint8_t> is_outlier = outliers_of(cloud);
     int found = 0, false_alarms = 0, there = 0;
     for (std::size_t i = 0; i < cloud.size(); ++i)
@@ -477,7 +469,7 @@ TEST(Outliers, are_dense_where_far_points_are_hardly_farther_than_what_is_far)
   const auto are_dense = [](std::size_t number) {
     std::vector<Point> points = surfaces::sphere(20000, 190);
     add_outliers(points, number, 1.2, 191);
-    const Cloud cloud = make_cloud<Tag>(points, 1e-16);
+    const Cloud cloud = cloud_of(points);
     return are_far_points_dense_in(cloud);
   };
   EXPECT_FALSE(are_dense(0));
@@ -492,8 +484,7 @@ TEST(Outliers, are_not_dense_where_thin_parts_with_noise_become_sparse)
 {
   for (unsigned int seed : {1u, 2u, 3u})
   {
-    const Cloud cloud =
-        make_cloud<Tag>(with_noise(sparse_posts(30000, 0.1, 30., seed), 0.01, seed + 5), 1e-16);
+    const Cloud cloud = cloud_of(with_noise(sparse_posts(30000, 0.1, 30., seed), 0.01, seed + 5));
     EXPECT_FALSE(are_far_points_dense_in(cloud)) << seed;
     const std::vector<std::uint8_t> is_outlier = outliers_of(cloud);
     // 522 to 586 if they were
@@ -507,7 +498,7 @@ TEST(Outliers, are_not_dense_where_few_points_are_far)
 {
   std::vector<Point> points = surfaces::sphere(20000, 190);
   const auto are_dense = [&] {
-    const Cloud cloud = make_cloud<Tag>(points, 1e-16);
+    const Cloud cloud = cloud_of(points);
     return are_far_points_dense_in(cloud);
   };
   // as sparse as what is far, and round
@@ -553,7 +544,7 @@ TEST(Outliers, are_found_in_few_points_of_sparse_walls_between_dense_roofs_and_t
         points.emplace_back(x + side, y + along, z);
       }
     }
-    const std::vector<std::uint8_t> is_outlier = outliers_of(make_cloud<Tag>(points, 1e-16));
+    const std::vector<std::uint8_t> is_outlier = outliers_of(cloud_of(points));
     EXPECT_LE(std::count(is_outlier.begin(), is_outlier.end(), 1), 0.15 * 2200) << seed;
   }
 }
@@ -567,7 +558,7 @@ TEST(Outliers, in_a_volume_hardly_sparser_than_the_surface_are_found)
   };
   for (const Point& p : surfaces::sample(7500, 48, point_of_box))
     points.push_back(p);
-  const Cloud cloud = make_cloud<Tag>(points, 1e-16);
+  const Cloud cloud = cloud_of(points);
   const std::vector<std::uint8_t> is_outlier = outliers_of(cloud);
   int found = 0, lost = 0;
   for (std::size_t i = 0; i < cloud.size(); ++i)
@@ -583,22 +574,21 @@ TEST(Outliers, are_no_neighbors_once_they_are_removed)
   {
     std::vector<Point> points = surfaces::sphere(20000, 12);
     add_outliers(points, number, 3., 14);
-    Cloud cloud = make_cloud<Tag>(points, 1e-16);
+    Cloud cloud = cloud_of(points);
     const std::vector<Point> all = cloud.points;
-    std::unique_ptr<Neighbor_search> search(new Neighbor_search(all, Tag()));
-    Shared_features shared = shared_features_of(cloud, *search);
-    leave_out_outliers<Tag>(cloud, search, shared, 16, 100, Adaptive_settings(),
-                            Progress(no_callback));
+    Shared_features shared = shared_features_of(cloud);
+    leave_out_outliers<Tag>(cloud, shared, 100, Adaptive_settings(), Progress(no_callback));
     EXPECT_LT(cloud.size(), all.size());
     EXPECT_GT(cloud.size(), 19900u);
     EXPECT_EQ(shared.features.surface_variation.size(), cloud.size());
     EXPECT_EQ(shared.features.inverse_density.size(), cloud.size());
     const std::set<Point> kept(cloud.points.begin(), cloud.points.end());
     for (const Point& query : all)
-      search->for_each_nearest(query, 1, [&](std::size_t, const Point& p, double squared_distance) {
-        EXPECT_EQ(kept.count(p), 1u);
-        EXPECT_EQ(squared_distance == 0., kept.count(query) == 1u);
-      });
+      cloud.search->for_each_nearest(query, 1,
+                                     [&](std::size_t, const Point& p, double squared_distance) {
+                                       EXPECT_EQ(kept.count(p), 1u);
+                                       EXPECT_EQ(squared_distance == 0., kept.count(query) == 1u);
+                                     });
   }
 }
 
@@ -607,7 +597,7 @@ TEST(Outliers, among_others_leave_the_border_of_an_open_surface)
 {
   std::vector<Point> points = with_noise(surfaces::square(20000, 43), 0.003, 44);
   add_outliers(points, 2000, 1.2, 45);
-  const Cloud cloud = make_cloud<Tag>(points, 1e-16);
+  const Cloud cloud = cloud_of(points);
   const std::vector<std::uint8_t> is_outlier = outliers_of(cloud);
   int near_border = 0, lost = 0;
   for (std::size_t i = 0; i < cloud.size(); ++i)
@@ -634,7 +624,7 @@ TEST(Outliers, far_from_a_surface_leave_its_border)
   const std::size_t outliers = points.size();
   for (const Point& p : surfaces::square(20000, 47))
     points.push_back(p);
-  const Cloud cloud = make_cloud<Tag>(points, 1e-16);
+  const Cloud cloud = cloud_of(points);
   const std::vector<std::uint8_t> is_outlier = outliers_of(cloud);
   std::size_t found = 0, lost = 0;
   for (std::size_t i = 0; i < cloud.size(); ++i)
@@ -647,7 +637,7 @@ TEST(Outliers, far_from_a_surface_leave_its_border)
 TEST(Outliers, are_not_found_in_borders_thin_parts_and_sparse_regions)
 {
   const auto number_of_outliers = [](const std::vector<Point>& points) {
-    const std::vector<std::uint8_t> is_outlier = outliers_of(make_cloud<Tag>(points, 1e-16));
+    const std::vector<std::uint8_t> is_outlier = outliers_of(cloud_of(points));
     return std::count(is_outlier.begin(), is_outlier.end(), 1);
   };
   EXPECT_LT(number_of_outliers(surfaces::square(20000, 15)), 20);
@@ -673,8 +663,7 @@ TEST(Outliers, are_not_found_by_chance_in_few_points)
     std::ptrdiff_t found = 0;
     for (unsigned int seed = 0; seed < 100; ++seed)
     {
-      const std::vector<std::uint8_t> is_outlier =
-          outliers_of(make_cloud<Tag>(surfaces::square(n, seed), 1e-16));
+      const std::vector<std::uint8_t> is_outlier = outliers_of(cloud_of(surfaces::square(n, seed)));
       found += std::count(is_outlier.begin(), is_outlier.end(), 1);
     }
     EXPECT_LT(found, 30) << n;
@@ -702,7 +691,7 @@ TEST(Outliers, in_isolated_clusters_are_found)
     append(points, cluster(40, Point(0., 1.5, 0.), 0.02, 33));
     append(points, cluster(40, Point(0., 1.9, 0.3), 0.002, 34)); // ten times as dense
     append(points, cluster(100, Point(0., 0., 1.5), 0.05, 35));
-    const Cloud cloud = make_cloud<Tag>(points, 1e-16);
+    const Cloud cloud = cloud_of(points);
     const std::vector<std::uint8_t> is_outlier = outliers_of(cloud);
     for (std::size_t i = 0; i < cloud.size(); ++i)
     {
@@ -719,7 +708,7 @@ TEST(Outliers, in_larger_clusters_are_found_with_more_neighbors)
   const auto share_found = [](std::size_t size, double gap, std::size_t k) {
     std::vector<Point> points = surfaces::sphere(20000, 41);
     append(points, cluster(size, Point(1.04 + gap, 0., 0.), 0.02, 42));
-    const Cloud cloud = make_cloud<Tag>(points, 1e-16);
+    const Cloud cloud = cloud_of(points);
     const std::vector<std::uint8_t> is_outlier = outliers_of(cloud, k);
     double found = 0.;
     for (std::size_t i = 0; i < cloud.size(); ++i)
@@ -753,7 +742,7 @@ TEST(Outliers, in_specks_are_found)
                                                    surfaces::normal_deviate(random),
                                                    surfaces::normal_deviate(random)));
       }
-      const Cloud cloud = make_cloud<Tag>(points, 1e-16);
+      const Cloud cloud = cloud_of(points);
       const std::vector<std::uint8_t> is_outlier = outliers_of(cloud);
       std::size_t found = 0, lost = 0;
       for (std::size_t i = 0; i < cloud.size(); ++i)
@@ -773,7 +762,7 @@ TEST(Outliers, are_not_found_in_specks_where_thin_parts_become_sparse)
                                      std::make_pair(12000, 1u), std::make_pair(12000, 6u)})
   {
     const std::vector<std::uint8_t> is_outlier =
-        outliers_of(make_cloud<Tag>(sparse_posts(number, 0.02, 30., seed), 1e-16));
+        outliers_of(cloud_of(sparse_posts(number, 0.02, 30., seed)));
     EXPECT_EQ(std::count(is_outlier.begin(), is_outlier.end(), 1), 0) << number << ' ' << seed;
   }
 }
@@ -787,7 +776,7 @@ TEST(Outliers, that_are_far_leave_thin_parts_that_become_sparse)
     const std::size_t surface = points.size();
     add_outliers_in(CGAL::Bbox_3(-0.1, -0.1, -0.1, 1.2, 1.2, 1.1), surface / 20, seed + 200,
                     points);
-    const Cloud cloud = make_cloud<Tag>(points, 1e-16);
+    const Cloud cloud = cloud_of(points);
     const std::vector<std::uint8_t> is_outlier = outliers_of(cloud);
     std::size_t found = 0, lost = 0;
     for (std::size_t i = 0; i < cloud.size(); ++i)
@@ -803,7 +792,7 @@ TEST(Outliers, are_not_found_in_small_parts)
   const auto outliers_with = [](const std::vector<Point>& part) {
     std::vector<Point> points = surfaces::sphere(20000, 12);
     append(points, part);
-    const Cloud cloud = make_cloud<Tag>(points, 1e-16);
+    const Cloud cloud = cloud_of(points);
     const std::vector<std::uint8_t> is_outlier = outliers_of(cloud);
     std::size_t found = 0;
     for (std::size_t i = 0; i < cloud.size(); ++i)

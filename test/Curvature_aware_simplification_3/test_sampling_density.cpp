@@ -35,15 +35,12 @@ using namespace inputs;
 
 Sampling_density density_of(const Cloud& cloud, std::size_t n, double alpha, double noise)
 {
-  const Neighbor_search search(cloud.points, Tag());
   Features features = compute_features<Tag, CGAL::Default_diagonalize_traits<double, 3>>(
-      cloud, search, 16, Progress(no_callback));
+      cloud, 16, Progress(no_callback));
   const double area = area_of_surface<Tag>(features.inverse_density);
-  const Scan scan{cloud.points,
-                  nullptr,
+  const Scan scan{{cloud.points, nullptr, cloud.coordinate_error},
                   std::move(features.inverse_density),
                   uniform_noise(cloud.frame.length_to_frame(noise), cloud.size()),
-                  cloud.coordinate_error,
                   area,
                   {},
                   false};
@@ -52,7 +49,7 @@ Sampling_density density_of(const Cloud& cloud, std::size_t n, double alpha, dou
 
 TEST(Sampling_density, integrates_to_the_number_of_samples)
 {
-  const Cloud cloud = make_cloud<Tag>(surfaces::ellipsoid(20000, 3., 18), 1e-16);
+  const Cloud cloud = cloud_of(surfaces::ellipsoid(20000, 3., 18));
   for (double alpha : {0., 2. / 3., 1.})
   {
     const Sampling_density wanted = density_of(cloud, 2000, alpha, 0.);
@@ -66,7 +63,7 @@ TEST(Sampling_density, integrates_to_the_number_of_samples)
 // The middles of the faces are flat: c is 0, and the bound of c decides.
 TEST(Sampling_density, tends_to_uniform_with_alpha)
 {
-  const Cloud cloud = make_cloud<Tag>(cube(36000, 21), 1e-16);
+  const Cloud cloud = cloud_of(cube(36000, 21));
   double last = std::numeric_limits<double>::infinity();
   for (double alpha : {1., 2. / 3., 0.1, 0.01, 1e-4, 1e-300})
   {
@@ -148,7 +145,7 @@ TEST(Sampling_density, is_even_where_samples_are_nearly_as_dense_as_points)
   for (int i = 0; i < 44000; ++i)
     points.emplace_back(random.uniform_real(0., 1.) + (i < 40000 ? 0. : 1.),
                         random.uniform_real(0., 1.), 0.);
-  const Cloud cloud = make_cloud<Tag>(points, 1e-16);
+  const Cloud cloud = cloud_of(points);
   for (const auto& [n, ratio] :
        {std::pair(1000u, 1.), {3600u, 1.}, {5600u, 1.}, {16000u, 3400. / 12600.}})
   {
@@ -168,7 +165,7 @@ TEST(Sampling_density, follows_the_curvature)
 {
   // a torus with radii 3 and 1 has the principal curvatures 1 and 1/4 on the outer side, 1 and -1/2
   // on the inner side
-  const Cloud cloud = make_cloud<Tag>(surfaces::torus(100000, 3., 1., 19), 1e-16);
+  const Cloud cloud = cloud_of(surfaces::torus(100000, 3., 1., 19));
   const auto ratio = [&](double alpha) {
     const Sampling_density wanted = density_of(cloud, 4000, alpha, 0.);
     double inner = 0., outer = 0., inner_count = 0., outer_count = 0.;
@@ -247,7 +244,7 @@ TEST(Surface_pieces, know_the_covariance_of_all_their_points)
 
 TEST(Sampling_density, counts_borders_twice)
 {
-  const Cloud cloud = make_cloud<Tag>(surfaces::square(100000, 96), 1e-16);
+  const Cloud cloud = cloud_of(surfaces::square(100000, 96));
   const Sampling_density wanted = density_of(cloud, 1000, 2. / 3., 0.);
   const double spacing = std::sqrt(2. / std::sqrt(3.) / 1000.);
   double border = 0., inside = 0., border_count = 0., inside_count = 0.;
@@ -279,7 +276,7 @@ TEST(Sampling_density, counts_borders_twice)
 TEST(Sampling_density, of_planes_and_lines_is_even)
 {
   const auto largest_over_smallest = [](const std::vector<Point>& points) {
-    const Cloud cloud = make_cloud<Tag>(points, 1e-16);
+    const Cloud cloud = cloud_of(points);
     const std::vector<double> density = density_of(cloud, 500, 1., 0.).density;
     return *std::max_element(density.begin(), density.end()) /
            *std::min_element(density.begin(), density.end());
@@ -299,7 +296,7 @@ TEST(Sampling_density, of_planes_and_lines_is_even)
 TEST(Sampling_density, of_a_noisy_plane_is_even)
 {
   const double sigma = 0.003;
-  const Cloud cloud = make_cloud<Tag>(with_noise(surfaces::square(40000, 21), sigma, 22), 1e-16);
+  const Cloud cloud = cloud_of(with_noise(surfaces::square(40000, 21), sigma, 22));
   const Sampling_density wanted = density_of(cloud, 2000, 2. / 3., sigma);
   const auto range = std::minmax_element(wanted.density.begin(), wanted.density.end());
   EXPECT_LT(*range.second / *range.first, 1.5);

@@ -17,24 +17,23 @@ namespace {
 
 using namespace inputs;
 
-Local_features own_features(const Cloud& cloud, const Neighbor_search& search, std::size_t i)
+Local_features own_features(const Cloud& cloud, std::size_t i)
 {
-  return local_features<CGAL::Default_diagonalize_traits<double, 3>>(search, cloud.points[i], 17,
-                                                                     cloud.coordinate_error);
+  return local_features<CGAL::Default_diagonalize_traits<double, 3>>(*cloud.search, cloud.points[i],
+                                                                     17, cloud.coordinate_error);
 }
 
 TEST(Shared_features, are_those_of_a_point_in_whose_inner_half_one_is)
 {
-  const Cloud cloud = make_cloud<Tag>(surfaces::torus(20000, 3., 1., 80), 1e-16);
-  const Neighbor_search search(cloud.points, Tag());
-  const Shared_features shared = shared_features_of(cloud, search);
+  const Cloud cloud = cloud_of(surfaces::torus(20000, 3., 1., 80));
+  const Shared_features shared = shared_features_of(cloud);
   std::size_t number_of_votes = 0, number_represented = 0, representatives = 0;
   std::size_t votes_for_representatives = 0;
   for (std::size_t i = 0; i < cloud.size(); ++i)
   {
     number_of_votes += shared.votes[i];
     number_represented += shared.represented[i];
-    const Local_features own = own_features(cloud, search, i);
+    const Local_features own = own_features(cloud, i);
     if (shared.represented[i] > 0)
     {
       ++representatives;
@@ -73,9 +72,8 @@ TEST(Shared_features, are_own_ones_next_to_edges_and_amid_noise)
     roof.emplace_back(p.x() - 0.5, p.y(), -std::abs(p.x() - 0.5));
   for (const Point& p : with_noise(surfaces::square(20000, 82), 0.007, 83))
     roof.emplace_back(p.x() + 10., p.y(), p.z());
-  const Cloud cloud = make_cloud<Tag>(roof, 1e-16);
-  const Neighbor_search search(cloud.points, Tag());
-  const Shared_features shared = shared_features_of(cloud, search);
+  const Cloud cloud = cloud_of(roof);
+  const Shared_features shared = shared_features_of(cloud);
   std::size_t next_to_ridge = 0, own_next_to_ridge = 0, noisy = 0, own_noisy = 0;
   for (std::size_t i = 0; i < cloud.size(); ++i)
   {
@@ -108,15 +106,14 @@ TEST(Shared_features, are_own_ones_far_from_most_points)
     for (const Point& p : surfaces::sphere(30, 89 + static_cast<unsigned int>(i)))
       points.push_back(Point(0.1 * p.x(), 0.1 * p.y(), 0.) + center);
   }
-  const Cloud cloud = make_cloud<Tag>(points, 1e-16);
-  const Neighbor_search search(cloud.points, Tag());
-  const Shared_features shared = shared_features_of(cloud, search);
+  const Cloud cloud = cloud_of(points);
+  const Shared_features shared = shared_features_of(cloud);
   int shared_votes = 0;
   for (std::size_t i = 0; i < cloud.size(); ++i)
     if (cloud.input_index[i] >= 20000)
     {
       shared_votes += shared.represented[i] > 1 ? 1 : 0;
-      EXPECT_EQ(shared.features.inverse_density[i], own_features(cloud, search, i).inverse_density);
+      EXPECT_EQ(shared.features.inverse_density[i], own_features(cloud, i).inverse_density);
     }
   EXPECT_GT(shared_votes, 20);
 }
@@ -125,12 +122,11 @@ TEST(Shared_features, are_the_same_for_every_tag)
 {
   std::vector<Point> points = with_noise(surfaces::sphere(20000, 84), 0.002, 85);
   add_outliers(points, 1000, 1.2, 86);
-  const Cloud cloud = make_cloud<Tag>(points, 1e-16);
-  const Neighbor_search search(cloud.points, Tag());
-  const Shared_features parallel = shared_features_of(cloud, search);
+  const Cloud cloud = cloud_of(points);
+  const Shared_features parallel = shared_features_of(cloud);
   const Shared_features sequential =
       compute_shared_features<CGAL::Sequential_tag, CGAL::Default_diagonalize_traits<double, 3>>(
-          cloud, search, 16, Progress(no_callback));
+          cloud, 16, Progress(no_callback));
   EXPECT_EQ(parallel.features.surface_variation, sequential.features.surface_variation);
   EXPECT_EQ(parallel.features.inverse_density, sequential.features.inverse_density);
   EXPECT_EQ(parallel.represented, sequential.represented);

@@ -151,9 +151,9 @@ TEST(Smoothing_radius, is_small_where_the_shape_has_details)
 {
   const double sigma = 0.005;
   const std::vector<Point> clean = half_rippled_sheet(120000);
-  const Cloud cloud = make_cloud<Tag>(with_noise(clean, sigma, 91), 0.);
+  const Cloud cloud = cloud_of(with_noise(clean, sigma, 91), 0.);
   const double scale = cloud.frame.length_to_frame(sigma);
-  const Neighbor_search search(cloud.points, Tag());
+  const Neighbor_search& search = *cloud.search;
   const auto radii = [&](double spacing_of_samples, bool smooth_by_shape) {
     Noise_levels noise{std::vector<Noise>(64, Noise{scale, scale}), cloud.size()};
     noise.make_visible_above(0.);
@@ -217,8 +217,8 @@ TEST(Smoothing_radius, keeps_details)
   std::vector<Point> points;
   for (const Point& p : surfaces::square(120000, 92))
     points.emplace_back(p.x(), p.y(), height_of_ripples(p.x()));
-  const Cloud cloud = make_cloud<Tag>(with_noise(points, sigma, 93), 0.);
-  const Neighbor_search search(cloud.points, Tag());
+  const Cloud cloud = cloud_of(with_noise(points, sigma, 93), 0.);
+  const Neighbor_search& search = *cloud.search;
   const double scale = cloud.frame.length_to_frame(sigma);
   const auto part_lost = [&](bool smooth_by_shape) {
     Noise_levels noise{std::vector<Noise>(64, Noise{scale, scale}), cloud.size()};
@@ -311,7 +311,7 @@ Cloud noisy_square(std::size_t dense, std::size_t sparse)
     points.emplace_back(0.5 * p.x(), p.y(), 0.);
   for (const Point& p : surfaces::square(sparse, 95))
     points.emplace_back(0.5 + 0.5 * p.x(), p.y(), 0.);
-  return make_cloud<Tag>(with_noise(points, 0.01, 96), 0.);
+  return cloud_of(with_noise(points, 0.01, 96), 0.);
 }
 
 // Of n points per area, a ball of 4 sigma around one at the height h holds n pi (16 sigma^2 - h^2 -
@@ -319,7 +319,7 @@ Cloud noisy_square(std::size_t dense, std::size_t sparse)
 TEST(Thinning, leaves_four_neighborhoods_in_balls_of_dense_noise)
 {
   const Cloud cloud = noisy_square(400000, 60000); // 3600 and 550 points in a ball
-  const Neighbor_search search(cloud.points, Tag());
+  const Neighbor_search& search = *cloud.search;
   const double sigma = cloud.frame.length_to_frame(0.01);
   Noise_levels noise = uniform_noise(sigma, cloud.size());
   const auto parts = [&](double visible_error) {
@@ -358,17 +358,16 @@ TEST(Thinning, ends_where_noise_is_not_too_dense)
 {
   Cloud cloud = noisy_square(400000, 60000);
   const std::size_t size = cloud.size();
-  auto search = std::make_unique<Neighbor_search>(cloud.points, Tag());
   const double sigma = cloud.frame.length_to_frame(0.01);
   const auto thin = [&](std::size_t number_of_samples) {
     Noise_levels noise = uniform_noise(sigma, cloud.size());
-    return thin_dense_noise<Tag>(cloud, search, noise, Depth_levels(), 0., number_of_samples,
+    return thin_dense_noise<Tag>(cloud, noise, Depth_levels(), 0., number_of_samples,
                                  Adaptive_settings());
   };
   EXPECT_FALSE(thin(220000)); // two points for each
   EXPECT_EQ(cloud.size(), size);
   EXPECT_TRUE(thin(1000));
-  EXPECT_EQ(search->size(), cloud.size());
+  EXPECT_EQ(cloud.search->size(), cloud.size());
   double sparse = 0., squares = 0.;
   for (const Point& q : cloud.points)
   {
@@ -405,7 +404,7 @@ TEST(Thinning, smooths_few_points_of_a_dense_part)
   for (const Point& p : surfaces::square(60000, 77))
     points.emplace_back(0.4 + 0.1 * p.x(), 0.4 + 0.1 * p.y(), 0.);
   points = with_noise(std::move(points), 0.005, 78);
-  const Cloud cloud = make_cloud<Tag>(points, 0.);
+  const Cloud cloud = cloud_of(points, 0.);
   const Smoothed result = smoothed(cloud.points, cloud.frame.length_to_frame(0.005), 500);
   std::size_t inside = 0;
   for (const Point& q : result.points)

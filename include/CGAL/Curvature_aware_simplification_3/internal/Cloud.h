@@ -8,6 +8,8 @@
 
 #include <CGAL/Curvature_aware_simplification_3/internal/Computation_kernel.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Frame.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/Progress.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/Searchable_points.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Uninitialized_vector.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/box_of_most_points.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/check_that_all_are_measurements.h>
@@ -29,23 +31,26 @@ namespace CGAL {
 namespace Curvature_aware_simplification_3 {
 namespace internal {
 
-// The input as the stages see it: its distinct points, along a Hilbert curve, so that neighbors in
-// space are neighbors in memory.
+// The distinct points of the input, along a Hilbert curve, so that neighbors in space are neighbors
+// in memory, and where they come from.
 //
 // Exact duplicates are merged. They tell nothing of the surface, but would fill the neighborhoods
 // of k points and leave no room for those that do.
-struct Cloud
+struct Cloud : Searchable_points
 {
   Frame frame;
-  std::vector<Point> points; // distinct, in the frame
   // of each distinct point: its first position in the input
   Uninitialized_vector<std::size_t> input_index;
   std::vector<Duplicate> duplicates; // all other points of the input
-  double coordinate_error;           // of the points, from rounding in the input
 
-  std::size_t size() const { return points.size(); }
   std::size_t input_size() const { return points.size() + duplicates.size(); }
 };
+
+// Only the points: where they come from is not asked any more.
+inline Searchable_points without_positions(Cloud cloud)
+{
+  return static_cast<Searchable_points&&>(cloud);
+}
 
 // Of each input point: its distinct point. O(n), but by jumps through memory, so that only those
 // ask who must know.
@@ -119,7 +124,7 @@ Uninitialized_vector<Sort_traits::Point_3> distinct_points(const std::vector<Poi
 // Merges duplicates and sorts along a Hilbert curve. There is at least one point; coordinates are
 // exact up to `relative_error` times the largest of them, a few far points aside. O(n log n)
 template <typename ConcurrencyTag>
-Cloud make_cloud(std::vector<Point> coordinates, double relative_error)
+Cloud make_cloud(std::vector<Point> coordinates, double relative_error, const Progress& progress)
 {
   const std::size_t n = coordinates.size();
   const Bbox_3 box = reduce_indices<ConcurrencyTag>(
@@ -147,8 +152,15 @@ Cloud make_cloud(std::vector<Point> coordinates, double relative_error)
     points[i] = sorted[i].point;
     input_index[i] = sorted[i].index;
   });
-  return Cloud{frame, std::move(points), std::move(input_index), std::move(duplicates),
-               frame.length_to_frame(relative_error * largest_coordinate)};
+  sorted = Uninitialized_vector<Sort_traits::Point_3>();
+  progress.report(0.5);
+  Cloud cloud{
+      {std::move(points), nullptr, frame.length_to_frame(relative_error * largest_coordinate)},
+      frame,
+      std::move(input_index),
+      std::move(duplicates)};
+  cloud.rebuild_search<ConcurrencyTag>();
+  return cloud;
 }
 
 } // namespace internal

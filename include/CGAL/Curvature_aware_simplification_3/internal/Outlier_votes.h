@@ -7,9 +7,8 @@
 #define CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_OUTLIER_VOTES_H
 
 #include <CGAL/Curvature_aware_simplification_3/internal/Adaptive_settings.h>
-#include <CGAL/Curvature_aware_simplification_3/internal/Cloud.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Covariance_sums.h>
-#include <CGAL/Curvature_aware_simplification_3/internal/Neighbor_search.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/Searchable_points.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Uninitialized_vector.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/loops.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/mutual_neighbors.h>
@@ -35,40 +34,37 @@ namespace internal {
 // end of a surface is not, though it has few votes. With 0.1, 0.2, 0.3 and 0.4, of the points of a
 // surface that are lost without this, 0.42, 0.22, 0.12 and 0.05 still are (5 % outliers), and up to
 // 1.5 % more outliers are missed.
-inline bool is_off_plane_of_neighbors(const Cloud& cloud, const Neighbor_search& search,
-                                      std::size_t k, const std::vector<std::uint8_t>& is_outlier,
-                                      std::size_t i)
+inline bool is_off_plane_of_neighbors(const Searchable_points& cloud, std::size_t k,
+                                      const std::vector<std::uint8_t>& is_outlier, std::size_t i)
 {
   constexpr double far_off = 0.3;
   Covariance_sums sums;
   double squared_radius = 0.;
-  search.for_each_nearest(cloud.points[i], k + 1,
-                          [&](std::size_t j, const Point& p, double squared_distance) {
-                            squared_radius = (std::max)(squared_radius, squared_distance);
-                            if (j != i && is_outlier[j] == 0)
-                              sums.add(p - cloud.points[i]);
-                          });
+  cloud.search->for_each_nearest(cloud.points[i], k + 1,
+                                 [&](std::size_t j, const Point& p, double squared_distance) {
+                                   squared_radius = (std::max)(squared_radius, squared_distance);
+                                   if (j != i && is_outlier[j] == 0)
+                                     sums.add(p - cloud.points[i]);
+                                 });
   return sums.weight < 3. ||
          std::abs(sums.mean() * principal_axis(sums, 0)) >= far_off * std::sqrt(squared_radius);
 }
 
 // The votes of the points that are not marked as outliers, and what they tell of others. A vote
 // counts for several points where these share their features.
+template <typename ConcurrencyTag>
 class Outlier_votes
 {
 public:
   // `is_outlier` has the marks, which others may set as well. Marked points do not count as voters
   // when votes are asked for one by one, but their votes remain until they are taken back.
-  template <typename ConcurrencyTag>
-  Outlier_votes(const Cloud& cloud, const Neighbor_search& search, const Shared_features& shared,
-                std::size_t k, const Sparseness& sparseness, bool are_outliers_dense,
-                const Adaptive_settings& settings, std::vector<std::uint8_t>& is_outlier,
-                const ConcurrencyTag&)
+  Outlier_votes(const Searchable_points& cloud, const Shared_features& shared,
+                const Sparseness& sparseness, bool are_outliers_dense,
+                const Adaptive_settings& settings, std::vector<std::uint8_t>& is_outlier)
     : m_cloud(cloud),
-      m_search(search),
       m_shared(shared),
-      m_k(k),
-      m_quarter((std::max)(k / 4, std::size_t(1))),
+      m_k(shared.features.number_of_neighbors),
+      m_quarter((std::max)(m_k / 4, std::size_t(1))),
       m_are_outliers_dense(are_outliers_dense),
       m_sparseness(sparseness),
       m_settings(settings),
@@ -83,51 +79,45 @@ public:
 
   // Points of layers with so much noise that they look like space to their neighborhoods: they lose
   // votes, but need no more than others.
-  template <typename ConcurrencyTag>
-  void trust(const std::vector<std::size_t>& in_layers, const ConcurrencyTag&)
+  void trust(const std::vector<std::size_t>& in_layers)
   {
     for_each_index<ConcurrencyTag>(0, in_layers.size(),
                                    [&](std::size_t i) { m_is_in_layer[in_layers[i]] = 1; });
   }
 
   // Marks outliers, which take their votes back. This uncovers others with few votes, and so on.
-  template <typename ConcurrencyTag>
-  void mark(const std::vector<std::size_t>& found, const ConcurrencyTag& tag)
+  void mark(const std::vector<std::size_t>& found)
   {
-    set_marks(found, tag);
-    take_back(found, tag);
+    set_marks(found);
+    take_back(found);
   }
 
   // Marks points with few votes, and returns them. Those that lost votes are in a volume if what is
   // around looks like that, too: a thin part among outliers does not.
-  template <typename ConcurrencyTag>
-  std::vector<std::size_t> mark_few(const ConcurrencyTag& tag)
+  std::vector<std::size_t> mark_few()
   {
     const std::vector<std::size_t> found =
         with_less_votes([&](std::size_t i) { return few_votes(i); },
                         [&](std::size_t i) {
                           return votes(i) < m_quarter || !m_settings.keep_sparse_surfaces ||
-                                 variation_of_twice_the_radius(m_cloud, m_search, m_k, i) >
+                                 variation_of_twice_the_radius(m_cloud, m_k, i) >
                                      least_variation_at_borders_of_volumes;
-                        },
-                        tag);
-    set_marks(found, tag);
+                        });
+    set_marks(found);
     return found;
   }
 
   // Of points that were found for their few votes, unmarks for good those that have one at least and
   // are in the plane of their neighbors: lone points of sparse borders and corners are, while one of
   // a few outliers next to a surface hardly is.
-  template <typename ConcurrencyTag>
-  void keep_lone_points(const std::vector<std::size_t>& found, const ConcurrencyTag&)
+  void keep_lone_points(const std::vector<std::size_t>& found)
   {
     std::vector<std::uint8_t> is_lone(found.size());
     for_each_index<ConcurrencyTag>(0, found.size(), [&](std::size_t f) {
-      is_lone[f] =
-          number_of_voters(found[f]) > 0 &&
-                  !is_off_plane_of_neighbors(m_cloud, m_search, m_k, m_is_outlier, found[f])
-              ? 1
-              : 0;
+      is_lone[f] = number_of_voters(found[f]) > 0 &&
+                           !is_off_plane_of_neighbors(m_cloud, m_k, m_is_outlier, found[f])
+                       ? 1
+                       : 0;
     });
     for_each_index<ConcurrencyTag>(0, found.size(), [&](std::size_t f) {
       if (is_lone[f] == 0)
@@ -140,36 +130,32 @@ public:
   // Those with less than half of k, which may be outliers as well. A border has little more than
   // half: asked again and again, border after border would go. Of points that are not sparse, only
   // those off the surface are returned: among sparse ones, it may be outliers that are in a plane.
-  template <typename ConcurrencyTag>
-  std::vector<std::size_t> less_than_half(const ConcurrencyTag& tag) const
+  std::vector<std::size_t> less_than_half() const
   {
     return with_less_votes([&](std::size_t) { return m_k / 2; },
                            [&](std::size_t i) {
                              return (m_is_in_layer[i] == 0 && m_shared.features.inverse_density[i] >
                                                                   m_sparseness.of_sparse_parts) ||
-                                    is_off_plane_of_neighbors(m_cloud, m_search, m_k, m_is_outlier,
-                                                              i);
-                           },
-                           tag);
+                                    is_off_plane_of_neighbors(m_cloud, m_k, m_is_outlier, i);
+                           });
   }
 
   // Points that were marked take their votes back, which uncovers others with few votes, until
   // there are no more.
-  template <typename ConcurrencyTag>
-  void take_back(std::vector<std::size_t> marked, const ConcurrencyTag& tag)
+  void take_back(std::vector<std::size_t> marked)
   {
     while (!marked.empty())
     {
       for_each_index<ConcurrencyTag>(0, marked.size(), [&](std::size_t f) {
         const std::uint32_t number = m_shared.represented[marked[f]];
         if (number > 0)
-          m_search.for_each_nearest(m_cloud.points[marked[f]], m_k + 1,
-                                    [&](std::size_t j, const Point&, double) {
-                                      if (j != marked[f])
-                                        m_votes[j].fetch_sub(number, std::memory_order_relaxed);
-                                    });
+          m_cloud.search->for_each_nearest(
+              m_cloud.points[marked[f]], m_k + 1, [&](std::size_t j, const Point&, double) {
+                if (j != marked[f])
+                  m_votes[j].fetch_sub(number, std::memory_order_relaxed);
+              });
       });
-      marked = mark_few(tag);
+      marked = mark_few();
     }
   }
 
@@ -185,8 +171,8 @@ private:
   {
     std::size_t number = 0;
     for_each_mutual_neighbor(
-        m_cloud, m_search, m_shared.features, m_k, i,
-        [&](std::size_t j) { return m_is_outlier[j] == 0; }, [&](std::size_t) { ++number; });
+        m_cloud, m_shared.features, i, [&](std::size_t j) { return m_is_outlier[j] == 0; },
+        [&](std::size_t) { ++number; });
     return number;
   }
 
@@ -203,8 +189,7 @@ private:
                : m_quarter;
   }
 
-  template <typename ConcurrencyTag>
-  void set_marks(const std::vector<std::size_t>& found, const ConcurrencyTag&)
+  void set_marks(const std::vector<std::size_t>& found)
   {
     for_each_index<ConcurrencyTag>(0, found.size(),
                                    [&](std::size_t f) { m_is_outlier[found[f]] = 1; });
@@ -213,9 +198,8 @@ private:
   // Those not marked that have less votes than needed_votes(i) and pass the test. A vote that
   // counts for several points makes the number uncertain: those with few are asked how many of
   // their neighbors would vote for them, were these asked one by one.
-  template <typename NeededVotes, typename Test, typename ConcurrencyTag>
-  std::vector<std::size_t> with_less_votes(const NeededVotes& needed_votes, const Test& test,
-                                           const ConcurrencyTag&) const
+  template <typename NeededVotes, typename Test>
+  std::vector<std::size_t> with_less_votes(const NeededVotes& needed_votes, const Test& test) const
   {
     const std::vector<std::size_t> candidates =
         indices_where<ConcurrencyTag>(m_votes.size(), [&](std::size_t i) {
@@ -232,8 +216,7 @@ private:
         candidates);
   }
 
-  const Cloud& m_cloud;
-  const Neighbor_search& m_search;
+  const Searchable_points& m_cloud;
   const Shared_features& m_shared;
   std::size_t m_k;
   std::size_t m_quarter; // of k, but 1 at least

@@ -6,8 +6,8 @@
 #ifndef CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_SCAN_H
 #define CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_SCAN_H
 
-#include <CGAL/Curvature_aware_simplification_3/internal/Neighbor_search.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Noise_levels.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/Searchable_points.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Uninitialized_vector.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/lattice_spacing.h>
 
@@ -21,13 +21,10 @@ namespace internal {
 
 // What the stages that place samples see of the input: without outliers, and with less noise where
 // it was visible
-struct Scan
+struct Scan : Searchable_points
 {
-  std::vector<Point> points; // along the Hilbert curve
-  std::unique_ptr<Neighbor_search> search;
   Uninitialized_vector<double> inverse_density; // 1 / rho of each point
   Noise_levels noise;                           // that is left
-  double coordinate_error;                      // of the points, from rounding in the input
   double area;                                  // of the surface
   std::vector<Point> bent_points;               // at which there may be an edge
   // Where there were, some were not found, and the point nearest to a sample may be one.

@@ -7,12 +7,11 @@
 #define CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_CLEAN_SCAN_H
 
 #include <CGAL/Curvature_aware_simplification_3/internal/Adaptive_settings.h>
-#include <CGAL/Curvature_aware_simplification_3/internal/Cloud.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Depth_levels.h>
-#include <CGAL/Curvature_aware_simplification_3/internal/Neighbor_search.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Noise_levels.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Progress.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Scan.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/Searchable_points.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Stopwatch.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Surface_fit.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Uninitialized_vector.h>
@@ -45,14 +44,13 @@ namespace internal {
 // The noise: at few places, and at many where it is visible. Points that are too dense against it
 // are left out before.
 template <typename ConcurrencyTag, typename DiagonalizeTraits>
-Noise_levels noise_and_enough_points(Cloud& cloud, std::unique_ptr<Neighbor_search>& search,
-                                     Features& features, const Depth_levels& depth_levels,
-                                     const Parameters& parameters,
+Noise_levels noise_and_enough_points(Searchable_points& cloud, Features& features,
+                                     const Depth_levels& depth_levels, const Parameters& parameters,
                                      const Adaptive_settings& settings, const Progress& progress)
 {
   const auto noise_at = [&](std::size_t number_of_places) {
-    return noise_of_scan<ConcurrencyTag>(cloud.points, *search, depth_levels, number_of_places,
-                                         settings);
+    return noise_of_scan<ConcurrencyTag>(cloud.points, *cloud.search, depth_levels,
+                                         number_of_places, settings);
   };
   const auto error = [&] {
     return visible_error(parameters.number_of_output_points,
@@ -60,10 +58,10 @@ Noise_levels noise_and_enough_points(Cloud& cloud, std::unique_ptr<Neighbor_sear
   };
   Noise_levels noise = noise_at(few_probes);
   if (settings.thin_dense_noise &&
-      thin_dense_noise<ConcurrencyTag>(cloud, search, noise, depth_levels, error(),
+      thin_dense_noise<ConcurrencyTag>(cloud, noise, depth_levels, error(),
                                        parameters.number_of_output_points, settings))
     features = compute_features<ConcurrencyTag, DiagonalizeTraits>(
-        cloud, *search, parameters.number_of_neighbors, progress);
+        cloud, parameters.number_of_neighbors, progress);
   const std::size_t many = many_probes(cloud.size(), settings.most_noise_probes);
   return many > few_probes && noise.is_visible_above(error()) ? noise_at(many) : noise;
 }
@@ -72,7 +70,7 @@ Noise_levels noise_and_enough_points(Cloud& cloud, std::unique_ptr<Neighbor_sear
 // outliers, noise. Takes what it is given, and lets go of each part when it is not needed any more: the
 // search tree is as large as all else.
 template <typename ConcurrencyTag, typename DiagonalizeTraits>
-Scan clean_scan(Cloud cloud, std::unique_ptr<Neighbor_search> search, const Parameters& parameters,
+Scan clean_scan(Searchable_points cloud, const Frame& frame, const Parameters& parameters,
                 const Adaptive_settings& settings, const Progress& progress,
                 Curvature_aware_simplification_report& report)
 {
@@ -81,28 +79,24 @@ Scan clean_scan(Cloud cloud, std::unique_ptr<Neighbor_search> search, const Para
   Stopwatch stopwatch;
   Depth_levels depth_levels;
   if (settings.undo_rounding)
-    depth_levels = undo_rounding<ConcurrencyTag>(cloud, search);
+    depth_levels = undo_rounding<ConcurrencyTag>(cloud);
   progress.report(0.08);
-  report.depth_step = cloud.frame.length_from_frame(depth_levels.typical_step());
-  // where points come from is not asked any more
-  cloud.input_index = Uninitialized_vector<std::size_t>();
-  cloud.duplicates = std::vector<Duplicate>();
+  report.depth_step = frame.length_from_frame(depth_levels.typical_step());
   if (settings.merge_copies)
     report.number_of_merged_points =
-        merge_copies<ConcurrencyTag>(cloud, search, number_of_samples, progress.part(0.08, 0.1));
+        merge_copies<ConcurrencyTag>(cloud, number_of_samples, progress.part(0.08, 0.1));
   report.sorting_time += stopwatch.lap();
 
   const std::size_t places = cloud.size();
-  const std::size_t k = neighborhood_size(parameters.number_of_neighbors, places) - 1;
   Shared_features shared = compute_shared_features<ConcurrencyTag, DiagonalizeTraits>(
-      cloud, *search, parameters.number_of_neighbors, progress.part(0.1, 0.6));
+      cloud, parameters.number_of_neighbors, progress.part(0.1, 0.6));
   report.maximum_surface_variation = largest_surface_variation<ConcurrencyTag>(shared.features);
   report.features_time = stopwatch.lap();
 
   std::size_t outliers_found = 0;
   if (settings.find_outliers)
-    outliers_found = leave_out_outliers<ConcurrencyTag>(cloud, search, shared, k, number_of_samples,
-                                                        settings, progress.part(0.6, 0.7));
+    outliers_found = leave_out_outliers<ConcurrencyTag>(cloud, shared, number_of_samples, settings,
+                                                        progress.part(0.6, 0.7));
   progress.report(0.7);
   report.number_of_outliers = places - cloud.size();
   report.outliers_time = stopwatch.lap();
@@ -110,20 +104,15 @@ Scan clean_scan(Cloud cloud, std::unique_ptr<Neighbor_search> search, const Para
   Features features = std::move(shared.features);
   shared = Shared_features();
   Noise_levels noise = noise_and_enough_points<ConcurrencyTag, DiagonalizeTraits>(
-      cloud, search, features, depth_levels, parameters, settings, progress.part(0.7, 0.75));
-  report.noise_level = cloud.frame.length_from_frame(noise.median());
+      cloud, features, depth_levels, parameters, settings, progress.part(0.7, 0.75));
+  report.noise_level = frame.length_from_frame(noise.median());
   const double area = area_of_surface<ConcurrencyTag>(features.inverse_density);
   noise.widen_to_columns();
   noise.make_visible_above(visible_error(number_of_samples, area));
   std::vector<std::uint8_t> is_bent = bent_points<ConcurrencyTag>(features, noise);
-  Scan scan{std::move(cloud.points),
-            std::move(search),
-            std::move(features.inverse_density),
-            std::move(noise),
-            cloud.coordinate_error,
-            area,
-            std::vector<Point>(),
-            is_more_than_a_few(outliers_found, places)};
+  const std::size_t k = features.number_of_neighbors;
+  Scan scan{std::move(cloud),     std::move(features.inverse_density),       std::move(noise), area,
+            std::vector<Point>(), is_more_than_a_few(outliers_found, places)};
   features = Features();
   progress.report(0.75);
   report.noise_time = stopwatch.lap();

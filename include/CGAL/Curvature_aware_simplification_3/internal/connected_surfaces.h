@@ -6,8 +6,7 @@
 #ifndef CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_CONNECTED_SURFACES_H
 #define CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_CONNECTED_SURFACES_H
 
-#include <CGAL/Curvature_aware_simplification_3/internal/Cloud.h>
-#include <CGAL/Curvature_aware_simplification_3/internal/Neighbor_search.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/Searchable_points.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/features.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/loops.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/mutual_neighbors.h>
@@ -39,11 +38,11 @@ inline std::size_t needed_neighbors(std::size_t k, bool are_outliers_likely)
 // Of the far ones that are marked, those of whose k nearest `needed` are not and have them among
 // their own. `neighbors` counts these for all points that are far and marked.
 template <typename ConcurrencyTag>
-std::vector<std::size_t>
-next_to_unmarked(const Cloud& cloud, const Neighbor_search& search, const Features& features,
-                 std::size_t k, std::size_t needed, const std::vector<std::size_t>& far_ones,
-                 const std::vector<std::uint8_t>& is_outlier,
-                 std::vector<std::atomic<std::uint32_t>>& neighbors)
+std::vector<std::size_t> next_to_unmarked(const Searchable_points& cloud, const Features& features,
+                                          std::size_t needed,
+                                          const std::vector<std::size_t>& far_ones,
+                                          const std::vector<std::uint8_t>& is_outlier,
+                                          std::vector<std::atomic<std::uint32_t>>& neighbors)
 {
   std::vector<std::uint8_t> has_enough(far_ones.size());
   for_each_index<ConcurrencyTag>(0, far_ones.size(), [&](std::size_t f) {
@@ -52,7 +51,7 @@ next_to_unmarked(const Cloud& cloud, const Neighbor_search& search, const Featur
       return;
     std::uint32_t number = 0;
     for_each_mutual_neighbor(
-        cloud, search, features, k, i, [&](std::size_t j) { return is_outlier[j] == 0; },
+        cloud, features, i, [&](std::size_t j) { return is_outlier[j] == 0; },
         [&](std::size_t) { ++number; });
     neighbors[i].store(number, std::memory_order_relaxed);
     has_enough[f] = number >= needed ? 1 : 0;
@@ -69,11 +68,11 @@ next_to_unmarked(const Cloud& cloud, const Neighbor_search& search, const Featur
 // be too dense to be marked and connect others: those are left that look like space. O(k + log n)
 // for each far one, and for each one unmarked.
 template <typename ConcurrencyTag>
-void unmark_connected(const Cloud& cloud, const Neighbor_search& search, const Features& features,
-                      std::size_t k, bool are_outliers_likely,
-                      const std::vector<std::size_t>& far_ones,
+void unmark_connected(const Searchable_points& cloud, const Features& features,
+                      bool are_outliers_likely, const std::vector<std::size_t>& far_ones,
                       std::vector<std::uint8_t>& is_outlier)
 {
+  const std::size_t k = features.number_of_neighbors;
   const std::size_t needed = needed_neighbors(k, are_outliers_likely);
   // of those that are far and marked; others are never asked, as if they had more than enough
   // already
@@ -81,13 +80,13 @@ void unmark_connected(const Cloud& cloud, const Neighbor_search& search, const F
   for_each_index<ConcurrencyTag>(0, cloud.size(), [&](std::size_t i) {
     neighbors[i].store(static_cast<std::uint32_t>(needed), std::memory_order_relaxed);
   });
-  std::vector<std::size_t> asked = next_to_unmarked<ConcurrencyTag>(
-      cloud, search, features, k, needed, far_ones, is_outlier, neighbors);
+  std::vector<std::size_t> asked =
+      next_to_unmarked<ConcurrencyTag>(cloud, features, needed, far_ones, is_outlier, neighbors);
   while (!asked.empty())
   {
     for_each_index<ConcurrencyTag>(0, asked.size(), [&](std::size_t a) {
       if (!are_outliers_likely ||
-          variation_of_twice_the_radius(cloud, search, k, asked[a]) <= largest_variation_of_parts)
+          variation_of_twice_the_radius(cloud, k, asked[a]) <= largest_variation_of_parts)
         is_outlier[asked[a]] = 0;
     });
     // Each is asked in the round in which it gets the last neighbor it needs; in which order does
@@ -96,7 +95,7 @@ void unmark_connected(const Cloud& cloud, const Neighbor_search& search, const F
     for_each_index<ConcurrencyTag>(0, asked.size(), [&](std::size_t a) {
       if (is_outlier[asked[a]] == 0)
         for_each_mutual_neighbor(
-            cloud, search, features, k, asked[a], [&](std::size_t j) { return is_outlier[j] != 0; },
+            cloud, features, asked[a], [&](std::size_t j) { return is_outlier[j] != 0; },
             [&](std::size_t j) {
               if (neighbors[j].fetch_add(1, std::memory_order_relaxed) + 1 == needed)
                 reached[a].push_back(j);

@@ -6,10 +6,9 @@
 #ifndef CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_FEATURES_H
 #define CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_FEATURES_H
 
-#include <CGAL/Curvature_aware_simplification_3/internal/Cloud.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Covariance_sums.h>
-#include <CGAL/Curvature_aware_simplification_3/internal/Neighbor_search.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Progress.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/Searchable_points.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Uninitialized_vector.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/loops.h>
 
@@ -111,15 +110,15 @@ inline std::size_t neighborhood_size(std::size_t number_of_neighbors, std::size_
 
 // O(n (log n + k))
 template <typename ConcurrencyTag, typename DiagonalizeTraits>
-Features compute_features(const Cloud& cloud, const Neighbor_search& search,
-                          std::size_t number_of_neighbors, const Progress& progress)
+Features compute_features(const Searchable_points& cloud, std::size_t number_of_neighbors,
+                          const Progress& progress)
 {
   const std::size_t n = cloud.size();
   const std::size_t size = neighborhood_size(number_of_neighbors, n);
   Features features{Uninitialized_vector<double>(n), Uninitialized_vector<double>(n), size - 1};
   for_each_index<ConcurrencyTag>(n, progress, [&](std::size_t i) {
-    const Local_features local =
-        local_features<DiagonalizeTraits>(search, cloud.points[i], size, cloud.coordinate_error);
+    const Local_features local = local_features<DiagonalizeTraits>(*cloud.search, cloud.points[i],
+                                                                   size, cloud.coordinate_error);
     features.surface_variation[i] = local.surface_variation;
     features.inverse_density[i] = local.inverse_density;
   });

@@ -35,10 +35,9 @@ namespace internal {
 // `number_with_few_votes` of the outliers are near it. Returns those that are in noisy layers.
 template <typename ConcurrencyTag>
 std::vector<std::size_t>
-mark_far_points(const Cloud& cloud, const Neighbor_search& search, const Features& features,
-                std::size_t k, const Sparseness& sparseness, std::size_t number_with_few_votes,
-                bool are_dense, const Adaptive_settings& settings,
-                std::vector<std::uint8_t>& is_outlier)
+mark_far_points(const Searchable_points& cloud, const Features& features,
+                const Sparseness& sparseness, std::size_t number_with_few_votes, bool are_dense,
+                const Adaptive_settings& settings, std::vector<std::uint8_t>& is_outlier)
 {
   const std::vector<std::size_t> far_ones =
       indices_where<ConcurrencyTag>(cloud.size(), [&](std::size_t i) {
@@ -52,15 +51,15 @@ mark_far_points(const Cloud& cloud, const Neighbor_search& search, const Feature
                                  [&](std::size_t f) { is_outlier[far_ones[f]] = 1; });
   if (!settings.keep_sparse_surfaces || far_ones.empty())
     return {};
-  const bool are_likely =
-      are_outliers_likely<ConcurrencyTag>(cloud, search, k, number_with_few_votes, far_ones);
+  const bool are_likely = are_outliers_likely<ConcurrencyTag>(cloud, features.number_of_neighbors,
+                                                              number_with_few_votes, far_ones);
   std::vector<std::size_t> in_layers;
   if (settings.keep_noisy_layers)
-    in_layers = unmark_noisy_layers<ConcurrencyTag>(
-        cloud, search, features, k, sparseness.of_sparse_parts, far_ones, is_outlier);
-  unmark_sparse_surfaces<ConcurrencyTag>(cloud, search, features, k, sparseness.of_sparse_parts,
+    in_layers = unmark_noisy_layers<ConcurrencyTag>(cloud, features, sparseness.of_sparse_parts,
+                                                    far_ones, is_outlier);
+  unmark_sparse_surfaces<ConcurrencyTag>(cloud, features, sparseness.of_sparse_parts,
                                          needed_share_of_support(are_likely), far_ones, is_outlier);
-  unmark_connected<ConcurrencyTag>(cloud, search, features, k, are_likely, far_ones, is_outlier);
+  unmark_connected<ConcurrencyTag>(cloud, features, are_likely, far_ones, is_outlier);
   return in_layers;
 }
 
@@ -91,11 +90,10 @@ inline bool are_few_against(std::size_t second, std::size_t first)
 // unless it finds too many. Where there are no more than a few, those in the plane of their
 // neighbors are lone points of a sparse border.
 template <typename ConcurrencyTag>
-std::vector<std::uint8_t> find_outliers(const Cloud& cloud, const Neighbor_search& search,
-                                        const Shared_features& shared, std::size_t k,
+std::vector<std::uint8_t> find_outliers(const Searchable_points& cloud,
+                                        const Shared_features& shared,
                                         const Adaptive_settings& settings, const Progress& progress)
 {
-  const ConcurrencyTag tag;
   std::vector<std::uint8_t> is_outlier(cloud.size(), 0);
   const auto marked = [&] {
     return indices_where<ConcurrencyTag>(cloud.size(),
@@ -103,33 +101,31 @@ std::vector<std::uint8_t> find_outliers(const Cloud& cloud, const Neighbor_searc
   };
   const Sparseness sparseness = sparseness_of(shared.features.inverse_density);
   const bool are_dense = are_far_points_dense<ConcurrencyTag>(shared.features, sparseness);
-  Outlier_votes votes(cloud, search, shared, k, sparseness, are_dense, settings, is_outlier, tag);
-  const std::vector<std::size_t> with_few_votes = votes.mark_few(tag);
+  Outlier_votes<ConcurrencyTag> votes(cloud, shared, sparseness, are_dense, settings, is_outlier);
+  const std::vector<std::size_t> with_few_votes = votes.mark_few();
   const bool are_more_than_a_few = is_more_than_a_few(with_few_votes.size(), cloud.size());
   if (settings.keep_lone_points && !are_more_than_a_few)
-    votes.keep_lone_points(with_few_votes, tag);
+    votes.keep_lone_points(with_few_votes);
   progress.report(0.2);
-  votes.trust(mark_far_points<ConcurrencyTag>(cloud, search, shared.features, k, sparseness,
-                                              with_few_votes.size(), are_dense, settings,
-                                              is_outlier),
-              tag);
+  votes.trust(mark_far_points<ConcurrencyTag>(
+      cloud, shared.features, sparseness, with_few_votes.size(), are_dense, settings, is_outlier));
   progress.report(0.5);
-  votes.take_back(marked(), tag);
+  votes.take_back(marked());
   progress.report(0.7);
   if (settings.find_clusters)
   {
     const std::vector<std::size_t> found =
-        Isolated_clusters(cloud, search, shared.features, k, sparseness.of_outliers, is_outlier,
-                          tag)
-            .points<ConcurrencyTag>();
-    votes.mark(found, tag);
+        Isolated_clusters<ConcurrencyTag>(cloud, shared.features, sparseness.of_outliers,
+                                          is_outlier)
+            .points();
+    votes.mark(found);
   }
   progress.report(0.9);
   if (are_more_than_a_few)
   {
-    const std::vector<std::size_t> hidden = votes.less_than_half(tag);
+    const std::vector<std::size_t> hidden = votes.less_than_half();
     if (are_few_against(hidden.size(), marked().size()))
-      votes.mark(hidden, tag);
+      votes.mark(hidden);
   }
   return is_outlier;
 }

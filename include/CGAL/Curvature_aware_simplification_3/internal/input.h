@@ -109,12 +109,12 @@ std::vector<Point> read_coordinates(const PointRange& points, const PointMap& po
 
 // What the stages see of a point range
 template <typename ConcurrencyTag, typename PointRange, typename NamedParameters>
-Cloud read_cloud(const PointRange& points, const NamedParameters& np)
+Cloud read_cloud(const PointRange& points, const NamedParameters& np, const Progress& progress)
 {
   using Types = Input_types<PointRange, NamedParameters>;
   return make_cloud<ConcurrencyTag>(
       internal::read_coordinates(points, Types::NP_helper::get_const_point_map(points, np)),
-      relative_rounding_error<typename Types::Geom_traits::FT>());
+      relative_rounding_error<typename Types::Geom_traits::FT>(), progress);
 }
 
 } // namespace internal

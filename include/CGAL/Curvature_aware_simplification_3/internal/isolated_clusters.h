@@ -6,9 +6,8 @@
 #ifndef CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_ISOLATED_CLUSTERS_H
 #define CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_ISOLATED_CLUSTERS_H
 
-#include <CGAL/Curvature_aware_simplification_3/internal/Cloud.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Covariance_sums.h>
-#include <CGAL/Curvature_aware_simplification_3/internal/Neighbor_search.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/Searchable_points.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Uninitialized_vector.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/features.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/loops.h>
@@ -33,19 +32,17 @@ namespace internal {
 // Their points vote for each other, as those of a surface do, and they are dense: each of them is
 // no outlier by itself. Nor are those of specks with less than k points, whose neighbors are a few
 // other specks, and may be in a plane.
+template <typename ConcurrencyTag>
 class Isolated_clusters
 {
 public:
   // Points with more than `sparse` 1/rho are so far from others that their neighborhoods may be of
   // several parts.
-  template <typename ConcurrencyTag>
-  Isolated_clusters(const Cloud& cloud, const Neighbor_search& search, const Features& features,
-                    std::size_t k, double sparse, const std::vector<std::uint8_t>& is_outlier,
-                    const ConcurrencyTag&)
+  Isolated_clusters(const Searchable_points& cloud, const Features& features, double sparse,
+                    const std::vector<std::uint8_t>& is_outlier)
     : m_cloud(cloud),
-      m_search(search),
       m_features(features),
-      m_k(k),
+      m_k(features.number_of_neighbors),
       m_sparse(sparse),
       m_is_outlier(is_outlier)
   {
@@ -60,13 +57,13 @@ public:
     m_squared_reach.resize(cloud.size());
     for_each_index<ConcurrencyTag>(0, far_ones.size(), [&](std::size_t f) {
       const Point& p = cloud.points[far_ones[f]];
-      m_squared_reach[far_ones[f]] = reach * reach * search.squared_distance_of_nearest(p, 3);
+      m_squared_reach[far_ones[f]] =
+          reach * reach * cloud.search->squared_distance_of_nearest(p, 3);
     });
   }
 
   // All their points. Components are searched from the places where the Hilbert curve jumps between
   // points that are not flat; up to 8 k points of each are visited, which takes O(k + log n) each.
-  template <typename ConcurrencyTag>
   std::vector<std::size_t> points() const
   {
     const std::vector<std::size_t> first = indices_where<ConcurrencyTag>(
@@ -157,7 +154,7 @@ private:
     {
       const std::size_t i = component[visited];
       for_each_mutual_neighbor(
-          m_cloud, m_search, m_features, m_k, i,
+          m_cloud, m_features, i,
           [&](std::size_t j) { return m_is_outlier[j] == 0 && is_within_reach(i, j); },
           [&](std::size_t j) {
             if (j < first || !may_be_in_cluster(j) || component.size() > most)
@@ -213,13 +210,12 @@ private:
   // cluster has hardly any that are so far out, and each of these lets one other in.
   bool is_apart(const std::vector<std::size_t>& cluster, const Point& center, double radius) const
   {
-    return !m_search.are_more_within(
+    return !m_cloud.search->are_more_within(
         center, radius, cluster.size(),
         [&](std::size_t j, const Point&, double) { return m_is_outlier[j] == 0; });
   }
 
-  const Cloud& m_cloud;
-  const Neighbor_search& m_search;
+  const Searchable_points& m_cloud;
   const Features& m_features;
   std::size_t m_k;
   double m_sparse;

@@ -7,9 +7,8 @@
 #define CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_LEAVE_OUT_OUTLIERS_H
 
 #include <CGAL/Curvature_aware_simplification_3/internal/Adaptive_settings.h>
-#include <CGAL/Curvature_aware_simplification_3/internal/Cloud.h>
-#include <CGAL/Curvature_aware_simplification_3/internal/Neighbor_search.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Progress.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/Searchable_points.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Uninitialized_vector.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/features.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/find_outliers.h>
@@ -32,14 +31,13 @@ namespace internal {
 // the search, whose indices may not be those of the points any more. The indices in the cloud are
 // dropped before. Returns how many were found, also if they are too many to be left out.
 template <typename ConcurrencyTag>
-std::size_t leave_out_outliers(Cloud& cloud, std::unique_ptr<Neighbor_search>& search,
-                               Shared_features& shared, std::size_t k,
+std::size_t leave_out_outliers(Searchable_points& cloud, Shared_features& shared,
                                std::size_t number_of_samples, const Adaptive_settings& settings,
                                const Progress& progress)
 {
   const std::size_t n = cloud.size();
   std::vector<std::uint8_t> is_outlier =
-      find_outliers<ConcurrencyTag>(cloud, *search, shared, k, settings, progress.part(0., 0.8));
+      find_outliers<ConcurrencyTag>(cloud, shared, settings, progress.part(0., 0.8));
   shared.votes = Uninitialized_vector<std::uint32_t>();
   shared.represented = std::vector<std::uint8_t>();
   const std::size_t number_found = reduce_indices<ConcurrencyTag>(
@@ -58,16 +56,16 @@ std::size_t leave_out_outliers(Cloud& cloud, std::unique_ptr<Neighbor_search>& s
   // tree.
   const bool are_few = number_found <= n / 1000;
   if (are_few)
-    search->hide(std::move(is_outlier));
+    cloud.search->hide(std::move(is_outlier));
   else
-    search.reset();
+    cloud.search.reset(); // before the features are copied
   is_outlier = std::vector<std::uint8_t>();
   keep_elements<ConcurrencyTag>(kept, cloud.points);
   keep_elements<ConcurrencyTag>(kept, shared.features.surface_variation);
   keep_elements<ConcurrencyTag>(kept, shared.features.inverse_density);
   kept = std::vector<std::size_t>();
   if (!are_few)
-    search = std::make_unique<Neighbor_search>(cloud.points, ConcurrencyTag());
+    cloud.rebuild_search<ConcurrencyTag>();
   return number_found;
 }
 

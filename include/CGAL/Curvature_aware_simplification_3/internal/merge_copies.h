@@ -6,12 +6,11 @@
 #ifndef CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_MERGE_COPIES_H
 #define CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_MERGE_COPIES_H
 
-#include <CGAL/Curvature_aware_simplification_3/internal/Cloud.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Computation_kernel.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Copies_of_places.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Counter_based_random.h>
-#include <CGAL/Curvature_aware_simplification_3/internal/Neighbor_search.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Progress.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/Searchable_points.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Surface_fit.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/loops.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/prefix_sums.h>
@@ -65,17 +64,17 @@ inline Merged_point merged_point(std::size_t i, const std::vector<Point>& points
 // Small parts that are far from each other look like copies: at least as many are left as there are
 // samples, since each needs a point to start from, and enough to fit surfaces to.
 template <typename ConcurrencyTag>
-std::size_t merge_copies(Cloud& cloud, std::unique_ptr<Neighbor_search>& search,
-                         std::size_t number_of_samples, const Progress& progress)
+std::size_t merge_copies(Searchable_points& cloud, std::size_t number_of_samples,
+                         const Progress& progress)
 {
   const std::size_t n = cloud.size();
   const Copies_of_places copies =
-      find_copies<ConcurrencyTag>(cloud.points, *search, number_of_samples);
+      find_copies<ConcurrencyTag>(cloud.points, *cloud.search, number_of_samples);
   if (!(copies.distance > 0.))
     return 0;
   std::vector<std::uint8_t> is_left(n);
   for_each_index<ConcurrencyTag>(n, progress, [&](std::size_t i) {
-    is_left[i] = merged_point(i, cloud.points, *search, copies).is_left ? 1 : 0;
+    is_left[i] = merged_point(i, cloud.points, *cloud.search, copies).is_left ? 1 : 0;
   });
   const std::vector<std::size_t> left =
       indices_where<ConcurrencyTag>(n, [&](std::size_t i) { return is_left[i] != 0; });
@@ -83,11 +82,10 @@ std::size_t merge_copies(Cloud& cloud, std::unique_ptr<Neighbor_search>& search,
     return 0;
   std::vector<Point> places(left.size()); // few: computed again, instead of kept for all points
   for_each_index<ConcurrencyTag>(0, left.size(), [&](std::size_t i) {
-    places[i] = merged_point(left[i], cloud.points, *search, copies).point;
+    places[i] = merged_point(left[i], cloud.points, *cloud.search, copies).point;
   });
-  search.reset(); // before the next one takes as much memory
   cloud.points = std::move(places);
-  search = std::make_unique<Neighbor_search>(cloud.points, ConcurrencyTag());
+  cloud.rebuild_search<ConcurrencyTag>();
   return n - left.size();
 }
 

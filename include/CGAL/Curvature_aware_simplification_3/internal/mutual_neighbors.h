@@ -6,8 +6,7 @@
 #ifndef CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_MUTUAL_NEIGHBORS_H
 #define CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_MUTUAL_NEIGHBORS_H
 
-#include <CGAL/Curvature_aware_simplification_3/internal/Cloud.h>
-#include <CGAL/Curvature_aware_simplification_3/internal/Neighbor_search.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/Searchable_points.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/features.h>
 
 #include <cstddef>
@@ -19,15 +18,15 @@ namespace internal {
 // function(j) for those j of the k nearest points of point i that count and have it within the
 // radius of their own k nearest
 template <typename Counts, typename Function>
-void for_each_mutual_neighbor(const Cloud& cloud, const Neighbor_search& search,
-                              const Features& features, std::size_t k, std::size_t i,
-                              const Counts& counts, const Function& function)
+void for_each_mutual_neighbor(const Searchable_points& cloud, const Features& features,
+                              std::size_t i, const Counts& counts, const Function& function)
 {
-  search.for_each_nearest(
-      cloud.points[i], k + 1, [&](std::size_t j, const Point&, double squared_distance) {
-        if (j != i && counts(j) && squared_distance <= squared_radius(features, j))
-          function(j);
-      });
+  cloud.search->for_each_nearest(cloud.points[i], features.number_of_neighbors + 1,
+                                 [&](std::size_t j, const Point&, double squared_distance) {
+                                   if (j != i && counts(j) &&
+                                       squared_distance <= squared_radius(features, j))
+                                     function(j);
+                                 });
 }
 
 } // namespace internal

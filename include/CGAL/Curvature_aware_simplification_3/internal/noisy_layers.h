@@ -6,10 +6,9 @@
 #ifndef CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_NOISY_LAYERS_H
 #define CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_NOISY_LAYERS_H
 
-#include <CGAL/Curvature_aware_simplification_3/internal/Cloud.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Covariance_sums.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Curve_ranges.h>
-#include <CGAL/Curvature_aware_simplification_3/internal/Neighbor_search.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/Searchable_points.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/features.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/loops.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/prefix_sums.h>
@@ -50,7 +49,7 @@ struct Thick_plane
 // 16 k = 256 below the limit for up to 2 spacings, with 64 k for up to 4. That of a half ball, as
 // at the border of a volume, is 0.13, and 0.09 or more for 256 points of one. On 13 shapes with 1
 // to 40 % outliers, no place passes both tests, some each of them.
-inline std::optional<Thick_plane> sparse_layer(const Cloud& cloud, const Neighbor_search& search,
+inline std::optional<Thick_plane> sparse_layer(const Searchable_points& cloud,
                                                const Features& features, const Point& place,
                                                std::size_t number, double sparse)
 {
@@ -62,7 +61,7 @@ inline std::optional<Thick_plane> sparse_layer(const Cloud& cloud, const Neighbo
     return std::nullopt;
   Covariance_sums sums;
   std::size_t sparse_ones = 0;
-  search.for_each_nearest(place, number, [&](std::size_t j, const Point& p, double) {
+  cloud.search->for_each_nearest(place, number, [&](std::size_t j, const Point& p, double) {
     sums.add(p - place);
     if (features.inverse_density[j] > sparse)
       ++sparse_ones;
@@ -78,20 +77,19 @@ inline std::optional<Thick_plane> sparse_layer(const Cloud& cloud, const Neighbo
 // Unmarks those of the far ones that are in such a layer, and returns them. One place tells for 16
 // k of them along the Hilbert curve, about as many as it looks at. O(log n) for each far one.
 template <typename ConcurrencyTag>
-std::vector<std::size_t> unmark_noisy_layers(const Cloud& cloud, const Neighbor_search& search,
-                                             const Features& features, std::size_t k, double sparse,
-                                             const std::vector<std::size_t>& far_ones,
-                                             std::vector<std::uint8_t>& is_outlier)
+std::vector<std::size_t>
+unmark_noisy_layers(const Searchable_points& cloud, const Features& features, double sparse,
+                    const std::vector<std::size_t>& far_ones, std::vector<std::uint8_t>& is_outlier)
 {
-  const std::size_t n = far_ones.size();
+  const std::size_t n = far_ones.size(), k = features.number_of_neighbors;
   const Curve_ranges ranges{n / (16 * k) + 1, n};
   std::vector<std::uint8_t> is_in_layer(n, 0);
   for_each_index<ConcurrencyTag>(0, ranges.number, [&](std::size_t range) {
     const std::size_t begin = ranges.first_point(range), end = ranges.first_point(range + 1);
     const Point& place = cloud.points[far_ones[begin + (end - begin) / 2]];
-    std::optional<Thick_plane> layer = sparse_layer(cloud, search, features, place, 16 * k, sparse);
+    std::optional<Thick_plane> layer = sparse_layer(cloud, features, place, 16 * k, sparse);
     if (!layer)
-      layer = sparse_layer(cloud, search, features, place, 64 * k, sparse);
+      layer = sparse_layer(cloud, features, place, 64 * k, sparse);
     for (std::size_t f = begin; layer && f < end; ++f)
       is_in_layer[f] = layer->holds(cloud.points[far_ones[f]]) ? 1 : 0;
   });

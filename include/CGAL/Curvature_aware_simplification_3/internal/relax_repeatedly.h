@@ -6,10 +6,9 @@
 #ifndef CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_RELAX_REPEATEDLY_H
 #define CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_RELAX_REPEATEDLY_H
 
-#include <CGAL/Curvature_aware_simplification_3/internal/Cloud.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Curvature_weights.h>
-#include <CGAL/Curvature_aware_simplification_3/internal/Neighbor_search.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Progress.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/Searchable_points.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/density_weights.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/features.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/loops.h>
@@ -27,8 +26,8 @@ namespace internal {
 
 // The samples after all iterations of eq. 8 with support radius h, in the frame
 template <typename ConcurrencyTag, typename DiagonalizeTraits>
-std::vector<Point> relax_repeatedly(const std::vector<Point>& initial_samples, const Cloud& cloud,
-                                    const Neighbor_search& search, const Features& features,
+std::vector<Point> relax_repeatedly(const std::vector<Point>& initial_samples,
+                                    const Searchable_points& cloud, const Features& features,
                                     double h, const Parameters& parameters,
                                     const Progress& progress)
 {
@@ -36,14 +35,14 @@ std::vector<Point> relax_repeatedly(const std::vector<Point>& initial_samples, c
       curvature_scale<ConcurrencyTag>(features, Curvature_weights::maximum_curvature);
   const Curvature_weights curvature_weights(parameters.curvature_dependence);
 
-  Attractors attractors{search, std::vector<double>(cloud.size())};
+  Attractors attractors{*cloud.search, std::vector<double>(cloud.size())};
   for_each_index<ConcurrencyTag>(0, cloud.size(), [&](std::size_t j) {
     attractors.weight[j] = curvature_weights.attraction(scale * features.surface_variation[j]);
   });
   if (parameters.require_uniform_sampling)
   {
     const std::vector<double> density =
-        density_weights<ConcurrencyTag>(cloud.points, search, h, progress.part(0., 0.2));
+        density_weights<ConcurrencyTag>(cloud.points, *cloud.search, h, progress.part(0., 0.2));
     for_each_index<ConcurrencyTag>(0, cloud.size(),
                                    [&](std::size_t j) { attractors.weight[j] /= density[j]; });
   }
@@ -52,12 +51,13 @@ std::vector<Point> relax_repeatedly(const std::vector<Point>& initial_samples, c
   const auto curvature_at = [&](const Point& x, const std::optional<std::size_t>& nearest) {
     double curvature = 0.;
     if (parameters.recompute_curvature) // paper, sec. 5.3
-      curvature = local_features<DiagonalizeTraits>(search, x, neighborhood, cloud.coordinate_error)
-                      .surface_variation;
+      curvature =
+          local_features<DiagonalizeTraits>(*cloud.search, x, neighborhood, cloud.coordinate_error)
+              .surface_variation;
     else if (nearest) // that of the nearest input point (paper, sec. 4.2)
       curvature = features.surface_variation[*nearest];
     else
-      search.for_each_nearest(x, 1, [&](std::size_t j, const Point&, double) {
+      cloud.search->for_each_nearest(x, 1, [&](std::size_t j, const Point&, double) {
         curvature = features.surface_variation[j];
       });
     return (std::min)(scale * curvature, Curvature_weights::maximum_curvature);

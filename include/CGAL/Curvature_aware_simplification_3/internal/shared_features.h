@@ -6,8 +6,7 @@
 #ifndef CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_SHARED_FEATURES_H
 #define CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_SHARED_FEATURES_H
 
-#include <CGAL/Curvature_aware_simplification_3/internal/Cloud.h>
-#include <CGAL/Curvature_aware_simplification_3/internal/Neighbor_search.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/Searchable_points.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Uninitialized_vector.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/features.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/loops.h>
@@ -41,7 +40,7 @@ struct Shared_features
 // O(n (log n + k)), but k-nearest-neighbor queries for a quarter of the points only, where these
 // are dense against shape and noise
 template <typename ConcurrencyTag, typename DiagonalizeTraits>
-Shared_features compute_shared_features(const Cloud& cloud, const Neighbor_search& search,
+Shared_features compute_shared_features(const Searchable_points& cloud,
                                         std::size_t number_of_neighbors, const Progress& progress)
 {
   // Of the squared radius. Points that are that near are in half of the neighborhood, and so get
@@ -86,7 +85,7 @@ Shared_features compute_shared_features(const Cloud& cloud, const Neighbor_searc
             continue;
           neighbors.clear();
           const Local_features local = local_features<DiagonalizeTraits>(
-              search, cloud.points[i], size, cloud.coordinate_error,
+              *cloud.search, cloud.points[i], size, cloud.coordinate_error,
               [&](std::size_t j, double squared_distance) {
                 neighbors.push_back({j, squared_distance});
               });
@@ -116,7 +115,7 @@ Shared_features compute_shared_features(const Cloud& cloud, const Neighbor_searc
   const double sparse = sparseness_of(shared.features.inverse_density).of_outliers;
   for_each_index<ConcurrencyTag>(0, n, [&](std::size_t i) {
     if (represented[i] == 0 && shared.features.inverse_density[i] > sparse)
-      assign(i, local_features<DiagonalizeTraits>(search, cloud.points[i], size,
+      assign(i, local_features<DiagonalizeTraits>(*cloud.search, cloud.points[i], size,
                                                   cloud.coordinate_error));
     shared.votes[i] = votes[i].load(std::memory_order_relaxed) - 1; // not its own
   });

@@ -11,8 +11,8 @@
 #include <CGAL/Curvature_aware_simplification_3/internal/Curve_ranges.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Distinct_samples.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Frame.h>
-#include <CGAL/Curvature_aware_simplification_3/internal/Neighbor_search.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Progress.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/Searchable_points.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Stopwatch.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Surface_fit.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Surface_sample.h>
@@ -27,7 +27,6 @@
 #include <CGAL/Curvature_aware_simplification_report.h>
 
 #include <cstddef>
-#include <memory>
 #include <utility>
 #include <vector>
 
@@ -54,11 +53,10 @@ Distinct_samples select_without_moving(const std::vector<Point>& points,
 //   attraction by points (eq. 8, first term)   place_on_surface(), a fit to them
 //   repulsion by samples (eq. 8, second term)  relax_on_surface(), in the tangent plane
 //
-// and project_samples() for the last fit. The cloud and the search are taken, since each stage lets
-// go of what no later one needs.
+// and project_samples() for the last fit. The cloud is taken, since each stage lets go of what no
+// later one needs.
 template <typename ConcurrencyTag, typename DiagonalizeTraits>
-Distinct_samples simplify_adaptively(Cloud cloud, std::unique_ptr<Neighbor_search> search,
-                                     const Parameters& parameters,
+Distinct_samples simplify_adaptively(Cloud cloud, const Parameters& parameters,
                                      const Adaptive_settings& settings, const Progress& progress,
                                      Curvature_aware_simplification_report& report)
 {
@@ -68,8 +66,9 @@ Distinct_samples simplify_adaptively(Cloud cloud, std::unique_ptr<Neighbor_searc
   if (cloud.size() < fewest_points_to_fit)
     return select_without_moving<ConcurrencyTag>(cloud.points, parameters);
   const Frame frame = cloud.frame;
+  Searchable_points distinct = without_positions(std::move(cloud)); // a statement, which frees them
   Scan scan = clean_scan<ConcurrencyTag, DiagonalizeTraits>(
-      std::move(cloud), std::move(search), parameters, settings, progress.part(0., 0.4), report);
+      std::move(distinct), frame, parameters, settings, progress.part(0., 0.4), report);
   report.output_spacing =
       frame.length_from_frame(scan.spacing_of(parameters.number_of_output_points));
   if (scan.points.size() < fewest_points_to_fit)

@@ -25,13 +25,13 @@ namespace internal {
 
 // The selection of sec. 4.1 and the relaxation of eq. 8, literally: the samples in the frame
 template <typename ConcurrencyTag, typename DiagonalizeTraits>
-Distinct_samples simplify_as_in_the_paper(const Cloud& cloud, const Neighbor_search& search,
-                                          const Parameters& parameters, const Progress& progress,
+Distinct_samples simplify_as_in_the_paper(const Cloud& cloud, const Parameters& parameters,
+                                          const Progress& progress,
                                           Curvature_aware_simplification_report& report)
 {
   Stopwatch stopwatch;
   const Features features = compute_features<ConcurrencyTag, DiagonalizeTraits>(
-      cloud, search, parameters.number_of_neighbors, progress.part(0., 0.5));
+      cloud, parameters.number_of_neighbors, progress.part(0., 0.5));
   report.features_time = stopwatch.lap();
   report.maximum_surface_variation = largest_surface_variation<ConcurrencyTag>(features);
 
@@ -49,7 +49,7 @@ Distinct_samples simplify_as_in_the_paper(const Cloud& cloud, const Neighbor_sea
   // A ball smaller than the rounding error of the coordinates holds nothing but its center.
   if (h > cloud.coordinate_error)
     samples.points = relax_repeatedly<ConcurrencyTag, DiagonalizeTraits>(
-        samples.points, cloud, search, features, h, parameters, progress.part(0.5, 1.));
+        samples.points, cloud, features, h, parameters, progress.part(0.5, 1.));
   report.relaxation_time = stopwatch.lap();
   report.output_spacing = cloud.frame.length_from_frame(spacing);
   report.neighbor_radius = is_given ? parameters.neighbor_radius : cloud.frame.length_from_frame(h);

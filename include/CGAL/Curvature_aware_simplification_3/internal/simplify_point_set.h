@@ -8,7 +8,6 @@
 
 #include <CGAL/Curvature_aware_simplification_3/internal/Adaptive_settings.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Cloud.h>
-#include <CGAL/Curvature_aware_simplification_3/internal/Neighbor_search.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Progress.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Stopwatch.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/input.h>
@@ -21,7 +20,6 @@
 
 #include <cstddef>
 #include <functional>
-#include <memory>
 #include <type_traits>
 #include <utility>
 
@@ -58,9 +56,7 @@ OutputIterator simplify_point_set(const PointRange& points, OutputIterator outpu
   try
   {
     progress.report(0.);
-    Cloud cloud = internal::read_cloud<ConcurrencyTag>(points, np);
-    progress.report(0.05);
-    auto search = std::make_unique<Neighbor_search>(cloud.points, ConcurrencyTag());
+    Cloud cloud = internal::read_cloud<ConcurrencyTag>(points, np, progress.part(0., 0.1));
     const Progress after_sorting = progress.part(0.1, 1.);
     after_sorting.report(0.);
     report.sorting_time = stopwatch.lap();
@@ -71,10 +67,10 @@ OutputIterator simplify_point_set(const PointRange& points, OutputIterator outpu
     const Frame frame = cloud.frame;
     const Distinct_samples samples =
         parameters.settings_of_the_paper
-            ? simplify_as_in_the_paper<ConcurrencyTag, Diagonalize_traits>(
-                  cloud, *search, parameters, after_sorting, report)
+            ? simplify_as_in_the_paper<ConcurrencyTag, Diagonalize_traits>(cloud, parameters,
+                                                                           after_sorting, report)
             : simplify_adaptively<ConcurrencyTag, Diagonalize_traits>(
-                  std::move(cloud), std::move(search), parameters, settings, after_sorting, report);
+                  std::move(cloud), parameters, settings, after_sorting, report);
 
     progress.report(1.);
     for (std::size_t i = 0; i < samples.points.size(); ++i)

@@ -37,8 +37,7 @@ void smooth_scan(Scan& scan, std::vector<std::uint8_t>& is_bent, std::size_t num
                                              *scan.search, scan.noise, number_of_samples, settings,
                                              progress.part(0., 0.8));
   scan.inverse_density = Uninitialized_vector<double>(); // of the points as they were
-  scan.search.reset(); // two trees at once would take the most memory of the call
-  scan.search = std::make_unique<Neighbor_search>(scan.points, ConcurrencyTag());
+  scan.rebuild_search<ConcurrencyTag>();
   progress.report(0.84);
   // Noise carries points apart: in a layer of half a spacing of the samples, the area of the
   // surface looked twice as large. Frames put them on top of each other, and it looked smaller.

@@ -6,9 +6,8 @@
 #ifndef CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_SPARSE_SURFACES_H
 #define CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_SPARSE_SURFACES_H
 
-#include <CGAL/Curvature_aware_simplification_3/internal/Cloud.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Covariance_sums.h>
-#include <CGAL/Curvature_aware_simplification_3/internal/Neighbor_search.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/Searchable_points.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/features.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/loops.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/median_of_some.h>
@@ -42,11 +41,11 @@ inline std::size_t neighbors_within_twice_the_radius(std::size_t k)
 }
 
 // kappa of so many points around one
-inline double variation_of_twice_the_radius(const Cloud& cloud, const Neighbor_search& search,
-                                            std::size_t k, std::size_t i)
+inline double variation_of_twice_the_radius(const Searchable_points& cloud, std::size_t k,
+                                            std::size_t i)
 {
   Covariance_sums sums;
-  search.for_each_nearest(
+  cloud.search->for_each_nearest(
       cloud.points[i], neighbors_within_twice_the_radius(k) + 1,
       [&](std::size_t, const Point& p, double) { sums.add(p - cloud.points[i]); });
   const Eigen::Vector3d lambda = eigenvalues(sums);
@@ -55,11 +54,11 @@ inline double variation_of_twice_the_radius(const Cloud& cloud, const Neighbor_s
 
 // The median of that over these
 template <typename ConcurrencyTag>
-double median_variation(const Cloud& cloud, const Neighbor_search& search, std::size_t k,
+double median_variation(const Searchable_points& cloud, std::size_t k,
                         const std::vector<std::size_t>& points)
 {
   return median_of_some<ConcurrencyTag>(points.size(), 1000, [&](std::size_t i) {
-    return variation_of_twice_the_radius(cloud, search, k, points[i]);
+    return variation_of_twice_the_radius(cloud, k, points[i]);
   });
 }
 
@@ -70,12 +69,12 @@ double median_variation(const Cloud& cloud, const Neighbor_search& search, std::
 // neighborhoods, parts of a surface are flatter than space is, and than 400 and more outliers that
 // all are far.
 template <typename ConcurrencyTag>
-bool are_outliers_likely(const Cloud& cloud, const Neighbor_search& search, std::size_t k,
+bool are_outliers_likely(const Searchable_points& cloud, std::size_t k,
                          std::size_t number_with_few_votes,
                          const std::vector<std::size_t>& far_ones)
 {
   return number_with_few_votes > 3 + far_ones.size() / 30 || // up to three are by chance
-         median_variation<ConcurrencyTag>(cloud, search, k, far_ones) > largest_variation_of_parts;
+         median_variation<ConcurrencyTag>(cloud, k, far_ones) > largest_variation_of_parts;
 }
 
 // The share of a neighborhood whose support such a point needs
@@ -88,15 +87,15 @@ inline double needed_share_of_support(bool are_outliers_likely)
 // `least_inverse_density` 1/rho, which are among other such points. They support others in the next
 // round. O(n), and O(k + log n) for each point that supports.
 template <typename ConcurrencyTag>
-void unmark_sparse_surfaces(const Cloud& cloud, const Neighbor_search& search,
-                            const Features& features, std::size_t k, double least_inverse_density,
-                            double needed_share, const std::vector<std::size_t>& far_ones,
+void unmark_sparse_surfaces(const Searchable_points& cloud, const Features& features,
+                            double least_inverse_density, double needed_share,
+                            const std::vector<std::size_t>& far_ones,
                             std::vector<std::uint8_t>& is_outlier)
 {
   // Each reaches one neighborhood farther. Where outliers and a surface are equally sparse, there
   // has to be an end: one would follow the other. With four, some legs of animals are lost.
   constexpr int most_rounds = 8;
-  const std::size_t many = neighbors_within_twice_the_radius(k);
+  const std::size_t many = neighbors_within_twice_the_radius(features.number_of_neighbors);
   const auto share_of_many = [&](double share) {
     return (std::max)(static_cast<std::size_t>(share * static_cast<double>(many)), std::size_t(1));
   };
@@ -115,13 +114,13 @@ void unmark_sparse_surfaces(const Cloud& cloud, const Neighbor_search& search,
     for_each_index<ConcurrencyTag>(0, supporters.size(), [&](std::size_t s) {
       std::vector<std::size_t> marked;
       std::size_t flat_and_sparse = 0; // with itself
-      search.for_each_nearest(cloud.points[supporters[s]], many + 1,
-                              [&](std::size_t j, const Point&, double) {
-                                if (is_outlier[j] != 0)
-                                  marked.push_back(j);
-                                else if (is_flat_and_sparse(j))
-                                  ++flat_and_sparse;
-                              });
+      cloud.search->for_each_nearest(cloud.points[supporters[s]], many + 1,
+                                     [&](std::size_t j, const Point&, double) {
+                                       if (is_outlier[j] != 0)
+                                         marked.push_back(j);
+                                       else if (is_flat_and_sparse(j))
+                                         ++flat_and_sparse;
+                                     });
       if (round > 0 || flat_and_sparse > flat_around_flat)
         for (std::size_t j : marked)
           support[j].fetch_add(1, std::memory_order_relaxed);

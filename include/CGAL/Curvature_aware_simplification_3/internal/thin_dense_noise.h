@@ -7,12 +7,11 @@
 #define CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_THIN_DENSE_NOISE_H
 
 #include <CGAL/Curvature_aware_simplification_3/internal/Adaptive_settings.h>
-#include <CGAL/Curvature_aware_simplification_3/internal/Cloud.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Curve_ranges.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Depth_levels.h>
-#include <CGAL/Curvature_aware_simplification_3/internal/Neighbor_search.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Noise_levels.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Noise_probes.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/Searchable_points.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Surface_fit.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/loops.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/noise_of_scan.h>
@@ -98,7 +97,7 @@ std::vector<std::size_t> points_against_noise(const std::vector<double>& part_of
 // Leaves out points that are too dense against visible noise, evenly along the curve, and measures
 // it again, until few would be left out. Returns whether any are.
 template <typename ConcurrencyTag>
-bool thin_dense_noise(Cloud& cloud, std::unique_ptr<Neighbor_search>& search, Noise_levels& noise,
+bool thin_dense_noise(Searchable_points& cloud, Noise_levels& noise,
                       const Depth_levels& depth_levels, double visible_error,
                       std::size_t number_of_samples, const Adaptive_settings& settings)
 {
@@ -109,7 +108,7 @@ bool thin_dense_noise(Cloud& cloud, std::unique_ptr<Neighbor_search>& search, No
     if (!noise.is_visible())
       return is_thinned;
     const std::vector<double> parts =
-        parts_against_noise<ConcurrencyTag>(cloud.points, *search, noise, settings);
+        parts_against_noise<ConcurrencyTag>(cloud.points, *cloud.search, noise, settings);
     const double enough =
         mean<ConcurrencyTag>(parts.size(), [&](std::size_t r) { return parts[r]; });
     const double to_select =
@@ -118,11 +117,10 @@ bool thin_dense_noise(Cloud& cloud, std::unique_ptr<Neighbor_search>& search, No
       return is_thinned;
     const std::vector<std::size_t> kept =
         points_against_noise<ConcurrencyTag>(parts, cloud.size(), number_of_samples);
-    search.reset(); // before the next one takes as much memory
     keep_elements<ConcurrencyTag>(kept, cloud.points);
-    search = std::make_unique<Neighbor_search>(cloud.points, ConcurrencyTag());
-    noise =
-        noise_of_scan<ConcurrencyTag>(cloud.points, *search, depth_levels, few_probes, settings);
+    cloud.rebuild_search<ConcurrencyTag>();
+    noise = noise_of_scan<ConcurrencyTag>(cloud.points, *cloud.search, depth_levels, few_probes,
+                                          settings);
   }
 }
 

@@ -6,10 +6,9 @@
 #ifndef CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_UNDO_ROUNDING_H
 #define CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_UNDO_ROUNDING_H
 
-#include <CGAL/Curvature_aware_simplification_3/internal/Cloud.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Depth_levels.h>
-#include <CGAL/Curvature_aware_simplification_3/internal/Neighbor_search.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Noise_levels.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/Searchable_points.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/find_depth_levels.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/loops.h>
 
@@ -72,18 +71,18 @@ inline double rounded_away(const Point& p, const Depth_levels& levels,
 // the steps tell. Without that, steps look like flat faces with sharp edges. Returns the steps. O(n
 // log n)
 template <typename ConcurrencyTag>
-Depth_levels undo_rounding(Cloud& cloud, std::unique_ptr<Neighbor_search>& search)
+Depth_levels undo_rounding(Searchable_points& cloud)
 {
   std::vector<Point>& points = cloud.points;
-  Depth_levels levels = find_depth_levels<ConcurrencyTag>(points, *search, cloud.coordinate_error);
+  Depth_levels levels =
+      find_depth_levels<ConcurrencyTag>(points, *cloud.search, cloud.coordinate_error);
   if (levels.heights.empty())
     return levels;
   // the search has copies of the points, which stay where they are
   for_each_index<ConcurrencyTag>(0, points.size(), [&](std::size_t i) {
-    points[i] = points[i] + rounded_away(points[i], levels, *search) * levels.direction;
+    points[i] = points[i] + rounded_away(points[i], levels, *cloud.search) * levels.direction;
   });
-  search.reset(); // two trees at once would take the most memory of the call
-  search = std::make_unique<Neighbor_search>(points, ConcurrencyTag());
+  cloud.rebuild_search<ConcurrencyTag>();
   return levels;
 }
 
