@@ -51,7 +51,7 @@ struct Stages
           CGAL::parameters::number_of_output_points(size / 10).number_of_iterations(1), size)),
       samples(distinct_samples<Tag>(cloud, select_points<Tag>(cloud, features, parameters)).points),
       radius(radius_in_spacings * sample_spacing<Tag>(samples)),
-      fit{*cloud.search},
+      fitter{*cloud.search},
       scan{{cloud.points, nullptr, cloud.coordinate_error},
            features.inverse_density,
            uniform_noise(0., cloud.size()),
@@ -66,7 +66,7 @@ struct Stages
   Parameters parameters;
   std::vector<Point> samples;
   double radius;
-  Surface_fit fit;
+  Surface_fitter fitter;
   Scan scan;
   std::vector<Surface_sample>
       surface_samples; // by the projection, before the first relaxation step
@@ -153,7 +153,8 @@ void projection(benchmark::State& state)
     s.surface_samples.assign(s.samples.size(), Surface_sample());
     for_each_index<Tag>(0, s.samples.size(), [&](std::size_t i) {
       s.surface_samples[i].spacing = s.radius / radius_in_spacings;
-      s.surface_samples[i].place(s.fit, s.samples[i], CGAL::NULL_VECTOR, rounds_to_stay);
+      s.surface_samples[i].place(s.fitter.at(no_noise), s.samples[i], CGAL::NULL_VECTOR,
+                                 rounds_to_stay);
     });
   });
 }
@@ -162,7 +163,7 @@ void one_adaptive_relaxation_step(benchmark::State& state)
 {
   measure(state, [](Stages& s) {
     std::vector<Surface_sample> samples = s.surface_samples;
-    relax_on_surface<Tag>(samples, s.fit, 1, 0.45, Progress(no_callback));
+    relax_on_surface<Tag>(samples, s.fitter, 1, 0.45, Progress(no_callback));
     benchmark::DoNotOptimize(samples);
   });
 }

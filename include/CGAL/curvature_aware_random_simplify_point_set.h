@@ -159,8 +159,8 @@ curvature_aware_random_simplify_point_set(const PointRange& points, OutputIterat
   namespace internal = Curvature_aware_simplification_3::internal;
   using Types = internal::Input_types<PointRange, NamedParameters>;
 
-  const internal::Parameters parameters =
-      internal::read_parameters_of_selection(np, internal::number_of_elements(points));
+  const internal::Selection_parameters parameters =
+      internal::read_selection_parameters(np, internal::number_of_elements(points));
 
   std::vector<std::size_t> selected;
   try

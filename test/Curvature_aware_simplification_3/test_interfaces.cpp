@@ -168,7 +168,7 @@ void read_cloud(const Range&, const Parameters&);
 template <typename Parameters>
 int read_parameters(const Parameters&, std::size_t);
 template <typename Parameters>
-int read_parameters_of_selection(const Parameters&, std::size_t);
+int read_selection_parameters(const Parameters&, std::size_t);
 template <typename Parameters>
 int read_callback(const Parameters&);
 template <typename Parameters, typename Name>

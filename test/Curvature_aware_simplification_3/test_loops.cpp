@@ -5,8 +5,9 @@
 #include <CGAL/Curvature_aware_simplification_3/internal/Cloud.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Counter_based_random.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Curve_ranges.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/index_selection.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/loops.h>
-#include <CGAL/Curvature_aware_simplification_3/internal/prefix_sums.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/sum_up.h>
 
 #include <gtest/gtest.h>
 
@@ -142,6 +143,13 @@ TEST(Indices, finds_indices_in_order)
     EXPECT_EQ(indices_where<CGAL::Sequential_tag>(size, predicate), expected);
   }
   EXPECT_EQ(elements_at<Tag>({2, 0}, std::vector<int>{7, 8, 9}), (std::vector<int>{9, 7}));
+  Flags flags(5, 0);
+  set_flags<Tag>(flags, {1, 4, 2}, 1);
+  set_flags<Tag>(flags, {2}, 0);
+  EXPECT_EQ(flags, (Flags{0, 1, 0, 0, 1}));
+  EXPECT_EQ(flagged_indices<Tag>(flags), (std::vector<std::size_t>{1, 4}));
+  const auto is_odd = [](std::size_t i) { return i % 2 == 1; };
+  EXPECT_EQ(those_where<Tag>({7, 4, 3}, is_odd), (std::vector<std::size_t>{7, 3}));
 }
 
 TEST(Indices, keeps_elements_in_place)

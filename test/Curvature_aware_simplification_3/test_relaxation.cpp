@@ -114,16 +114,16 @@ std::vector<Point> relaxed_on_a_square(const Adaptive_settings& settings, std::s
 {
   const std::vector<Point> points = surfaces::square(20000, 9);
   const Neighbor_search search(points, Tag());
-  const Surface_fit fit{search, no_noise, settings};
+  const Surface_fitter fitter{search, settings};
   std::vector<Surface_sample> samples;
   for (const Point& p : points)
     if (is_wanted(p))
     {
       samples.emplace_back();
       samples.back().spacing = lattice_spacing(400.);
-      samples.back().place(fit, p, CGAL::NULL_VECTOR, rounds_to_move);
+      samples.back().place(fitter.at(no_noise), p, CGAL::NULL_VECTOR, rounds_to_move);
     }
-  relax_on_surface<Tag>(samples, fit, iterations, 0.45, Progress(no_callback));
+  relax_on_surface<Tag>(samples, fitter, iterations, 0.45, Progress(no_callback));
   return points_of<Tag>(samples);
 }
 
@@ -202,7 +202,7 @@ TEST(Correction, by_one_point_moves_the_nearest_sample_and_fills_a_gap_with_the_
   Sample_neighbors neighbors;
   neighbors.search(places, 2, Tag());
   const Neighbor_search search(points, Tag());
-  correct_by_points<Tag>(samples, nearest, neighbors, Surface_fit{search});
+  correct_by_points<Tag>(samples, nearest, neighbors, search);
   EXPECT_EQ(samples[0].point,
             points[4]); // 3 from the nearest sample; no other is more than 2
   EXPECT_EQ(samples[1].point, points[1]);
@@ -230,7 +230,7 @@ TEST(Correction, puts_samples_at_the_place_of_another_into_gaps_of_their_own)
     Sample_neighbors neighbors;
     neighbors.search(places, 3, Tag());
     const Neighbor_search search(points, Tag());
-    correct_by_points<Tag>(samples, places, neighbors, Surface_fit{search});
+    correct_by_points<Tag>(samples, places, neighbors, search);
     EXPECT_EQ(samples[0].point, points[0]);
     EXPECT_EQ(samples[1].point, points[18]);
     EXPECT_EQ(samples[2].point, points[9]);

@@ -7,6 +7,7 @@
 #define CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_CLOUD_H
 
 #include <CGAL/Curvature_aware_simplification_3/internal/Computation_kernel.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/Flags.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Frame.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Progress.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Searchable_points.h>
@@ -14,15 +15,14 @@
 #include <CGAL/Curvature_aware_simplification_3/internal/box_of_most_points.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/check_that_all_are_measurements.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/equal_points.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/index_selection.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/loops.h>
-#include <CGAL/Curvature_aware_simplification_3/internal/prefix_sums.h>
 
 #include <CGAL/Bbox_3.h>
 #include <CGAL/Hilbert_sort_median_3.h>
 
 #include <algorithm>
 #include <cstddef>
-#include <cstdint>
 #include <functional>
 #include <utility>
 #include <vector>
@@ -110,7 +110,7 @@ Uninitialized_vector<Sort_traits::Point_3> distinct_points(const std::vector<Poi
     for_each_index<ConcurrencyTag>(0, n, [&](std::size_t i) { distinct[i] = {points[i], i}; });
     return distinct;
   }
-  std::vector<std::uint8_t> is_duplicate(n);
+  Flags is_duplicate(n);
   for_each_index<ConcurrencyTag>(0, duplicates.size(),
                                  [&](std::size_t d) { is_duplicate[duplicates[d].index] = 1; });
   const std::vector<std::size_t> firsts =

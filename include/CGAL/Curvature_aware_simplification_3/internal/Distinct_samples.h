@@ -8,7 +8,7 @@
 
 #include <CGAL/Curvature_aware_simplification_3/internal/Cloud.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Counter_based_random.h>
-#include <CGAL/Curvature_aware_simplification_3/internal/prefix_sums.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/index_selection.h>
 
 #include <algorithm>
 #include <cstddef>

@@ -7,6 +7,7 @@
 #define CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_NOISE_PROBES_H
 
 #include <CGAL/Curvature_aware_simplification_3/internal/Curve_ranges.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/Flags.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Layer.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Neighbor_search.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/loops.h>
@@ -14,7 +15,6 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <cstdint>
 #include <numeric>
 #include <type_traits>
 #include <vector>
@@ -92,7 +92,7 @@ template <typename ConcurrencyTag, typename Function>
 auto at_probes(const Noise_probes& probes, const std::vector<std::size_t>& ranges,
                const Function& function)
 {
-  std::vector<std::uint8_t> is_needed(probes.points.size(), 0);
+  Flags is_needed(probes.points.size(), 0);
   for (std::size_t range : ranges)
     for (std::size_t i : probes.of_range[range])
       is_needed[i] = 1;

@@ -8,11 +8,12 @@
 
 #include <CGAL/Curvature_aware_simplification_3/internal/Adaptive_settings.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Covariance_sums.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/Flags.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Searchable_points.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Uninitialized_vector.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/index_selection.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/loops.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/mutual_neighbors.h>
-#include <CGAL/Curvature_aware_simplification_3/internal/prefix_sums.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/principal_axes.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/shared_features.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/sparse_surfaces.h>
@@ -35,7 +36,7 @@ namespace internal {
 // surface that are lost without this, 0.42, 0.22, 0.12 and 0.05 still are (5 % outliers), and up to
 // 1.5 % more outliers are missed.
 inline bool is_off_plane_of_neighbors(const Searchable_points& cloud, std::size_t k,
-                                      const std::vector<std::uint8_t>& is_outlier, std::size_t i)
+                                      const Flags& is_outlier, std::size_t i)
 {
   constexpr double far_off = 0.3;
   Covariance_sums sums;
@@ -60,7 +61,7 @@ public:
   // when votes are asked for one by one, but their votes remain until they are taken back.
   Outlier_votes(const Searchable_points& cloud, const Shared_features& shared,
                 const Sparseness& sparseness, bool are_outliers_dense,
-                const Adaptive_settings& settings, std::vector<std::uint8_t>& is_outlier)
+                const Adaptive_settings& settings, Flags& is_outlier)
     : m_cloud(cloud),
       m_shared(shared),
       m_k(shared.features.number_of_neighbors),
@@ -81,14 +82,13 @@ public:
   // votes, but need no more than others.
   void trust(const std::vector<std::size_t>& in_layers)
   {
-    for_each_index<ConcurrencyTag>(0, in_layers.size(),
-                                   [&](std::size_t i) { m_is_in_layer[in_layers[i]] = 1; });
+    set_flags<ConcurrencyTag>(m_is_in_layer, in_layers, 1);
   }
 
   // Marks outliers, which take their votes back. This uncovers others with few votes, and so on.
   void mark(const std::vector<std::size_t>& found)
   {
-    set_marks(found);
+    set_flags<ConcurrencyTag>(m_is_outlier, found, 1);
     take_back(found);
   }
 
@@ -103,7 +103,7 @@ public:
                                  variation_of_twice_the_radius(m_cloud, m_k, i) >
                                      least_variation_at_borders_of_volumes;
                         });
-    set_marks(found);
+    set_flags<ConcurrencyTag>(m_is_outlier, found, 1);
     return found;
   }
 
@@ -112,18 +112,12 @@ public:
   // a few outliers next to a surface hardly is.
   void keep_lone_points(const std::vector<std::size_t>& found)
   {
-    std::vector<std::uint8_t> is_lone(found.size());
-    for_each_index<ConcurrencyTag>(0, found.size(), [&](std::size_t f) {
-      is_lone[f] = number_of_voters(found[f]) > 0 &&
-                           !is_off_plane_of_neighbors(m_cloud, m_k, m_is_outlier, found[f])
-                       ? 1
-                       : 0;
+    const std::vector<std::size_t> lone = those_where<ConcurrencyTag>(found, [&](std::size_t i) {
+      return number_of_voters(i) > 0 && !is_off_plane_of_neighbors(m_cloud, m_k, m_is_outlier, i);
     });
-    for_each_index<ConcurrencyTag>(0, found.size(), [&](std::size_t f) {
-      if (is_lone[f] == 0)
-        return;
-      m_is_outlier[found[f]] = 0;
-      m_votes[found[f]].store(static_cast<std::uint32_t>(m_k) + 1, std::memory_order_relaxed);
+    set_flags<ConcurrencyTag>(m_is_outlier, lone, 0);
+    for_each_index<ConcurrencyTag>(0, lone.size(), [&](std::size_t l) {
+      m_votes[lone[l]].store(static_cast<std::uint32_t>(m_k) + 1, std::memory_order_relaxed);
     });
   }
 
@@ -189,12 +183,6 @@ private:
                : m_quarter;
   }
 
-  void set_marks(const std::vector<std::size_t>& found)
-  {
-    for_each_index<ConcurrencyTag>(0, found.size(),
-                                   [&](std::size_t f) { m_is_outlier[found[f]] = 1; });
-  }
-
   // Those not marked that have less votes than needed_votes(i) and pass the test. A vote that
   // counts for several points makes the number uncertain: those with few are asked how many of
   // their neighbors would vote for them, were these asked one by one.
@@ -205,15 +193,9 @@ private:
         indices_where<ConcurrencyTag>(m_votes.size(), [&](std::size_t i) {
           return m_is_outlier[i] == 0 && votes(i) < needed_votes(i);
         });
-    std::vector<std::uint8_t> is_confirmed(candidates.size());
-    for_each_index<ConcurrencyTag>(0, candidates.size(), [&](std::size_t c) {
-      const std::size_t i = candidates[c];
-      is_confirmed[c] = number_of_voters(i) < needed_votes(i) && test(i) ? 1 : 0;
+    return those_where<ConcurrencyTag>(candidates, [&](std::size_t i) {
+      return number_of_voters(i) < needed_votes(i) && test(i);
     });
-    return elements_at<ConcurrencyTag>(
-        indices_where<ConcurrencyTag>(candidates.size(),
-                                      [&](std::size_t c) { return is_confirmed[c] != 0; }),
-        candidates);
   }
 
   const Searchable_points& m_cloud;
@@ -225,8 +207,8 @@ private:
   const Adaptive_settings& m_settings;
   // Of each point, its own among them. Sums of integers: the order does not matter.
   Uninitialized_vector<std::atomic<std::uint32_t>> m_votes;
-  std::vector<std::uint8_t> m_is_in_layer;
-  std::vector<std::uint8_t>& m_is_outlier;
+  Flags m_is_in_layer;
+  Flags& m_is_outlier;
 };
 
 } // namespace internal

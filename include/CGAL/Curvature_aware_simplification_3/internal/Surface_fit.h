@@ -18,17 +18,24 @@ namespace CGAL {
 namespace Curvature_aware_simplification_3 {
 namespace internal {
 
-// How local surfaces are fitted to the input
+// How a local surface is fitted to the input at a place
 struct Surface_fit
 {
   const Neighbor_search& search;
-  const Noise& noise = no_noise; // of the points near the place that is fitted
+  const Noise& noise = no_noise; // of the points near the place
   const Adaptive_settings& settings = default_settings;
 
-  Surface_fit with(const Noise& noise_there) const { return {search, noise_there, settings}; }
-  Surface_fit with(Noise&&) const = delete; // it is referred to
-
   bool points_share_noise() const { return noise.level < noise.independent_level; }
+};
+
+// The same at any place: each has its own noise.
+struct Surface_fitter
+{
+  const Neighbor_search& search;
+  const Adaptive_settings& settings = default_settings;
+
+  Surface_fit at(const Noise& noise) const { return {search, noise, settings}; }
+  Surface_fit at(Noise&&) const = delete; // it is referred to
 };
 
 // 18 neighbors, two rings around a point: three for each coefficient of a quadric

@@ -6,13 +6,13 @@
 #ifndef CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_BENT_POINTS_H
 #define CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_BENT_POINTS_H
 
+#include <CGAL/Curvature_aware_simplification_3/internal/Flags.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Noise_levels.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/features.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/loops.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/thick_and_sparse.h>
 
 #include <cstddef>
-#include <cstdint>
 #include <vector>
 
 namespace CGAL {
@@ -22,9 +22,9 @@ namespace internal {
 // Which points are on a surface that bends so much that there may be an edge: 1 if so. Noise alone
 // causes kappa = sigma^2 / (r^2 / 2) in a disk of radius r.
 template <typename ConcurrencyTag>
-std::vector<std::uint8_t> bent_points(const Features& features, const Noise_levels& noise)
+Flags bent_points(const Features& features, const Noise_levels& noise)
 {
-  std::vector<std::uint8_t> is_bent(features.surface_variation.size());
+  Flags is_bent(features.surface_variation.size());
   for_each_index<ConcurrencyTag>(0, is_bent.size(), [&](std::size_t i) {
     const double squared_size = squared_radius(features, i);
     const double sigma = noise.at(i).level;

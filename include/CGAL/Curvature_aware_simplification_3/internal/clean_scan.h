@@ -8,7 +8,9 @@
 
 #include <CGAL/Curvature_aware_simplification_3/internal/Adaptive_settings.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Depth_levels.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/Flags.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Noise_levels.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/Parameters.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Progress.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Scan.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Searchable_points.h>
@@ -18,12 +20,11 @@
 #include <CGAL/Curvature_aware_simplification_3/internal/bent_points.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/features.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/find_outliers.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/index_selection.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/lattice_spacing.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/leave_out_outliers.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/merge_copies.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/noise_of_scan.h>
-#include <CGAL/Curvature_aware_simplification_3/internal/prefix_sums.h>
-#include <CGAL/Curvature_aware_simplification_3/internal/read_parameters.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/shared_features.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/smooth_scan.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/thin_dense_noise.h>
@@ -32,7 +33,6 @@
 #include <CGAL/Curvature_aware_simplification_report.h>
 
 #include <cstddef>
-#include <cstdint>
 #include <memory>
 #include <utility>
 #include <vector>
@@ -109,7 +109,7 @@ Scan clean_scan(Searchable_points cloud, const Frame& frame, const Parameters& p
   const double area = area_of_surface<ConcurrencyTag>(features.inverse_density);
   noise.widen_to_columns();
   noise.make_visible_above(visible_error(number_of_samples, area));
-  std::vector<std::uint8_t> is_bent = bent_points<ConcurrencyTag>(features, noise);
+  Flags is_bent = bent_points<ConcurrencyTag>(features, noise);
   const std::size_t k = features.number_of_neighbors;
   Scan scan{std::move(cloud),     std::move(features.inverse_density),       std::move(noise), area,
             std::vector<Point>(), is_more_than_a_few(outliers_found, places)};
@@ -121,9 +121,8 @@ Scan clean_scan(Searchable_points cloud, const Frame& frame, const Parameters& p
       scan.points.size() >= fewest_points_to_fit)
     smooth_scan<ConcurrencyTag>(scan, is_bent, number_of_samples, k, settings,
                                 progress.part(0.75, 1.));
-  scan.bent_points = elements_at<ConcurrencyTag>(
-      indices_where<ConcurrencyTag>(is_bent.size(), [&](std::size_t i) { return is_bent[i] != 0; }),
-      scan.points);
+  scan.bent_points =
+      elements_at<ConcurrencyTag>(flagged_indices<ConcurrencyTag>(is_bent), scan.points);
   report.smoothing_time = stopwatch.lap();
   return scan;
 }

@@ -6,6 +6,7 @@
 #ifndef CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_COLUMNS_OF_POINTS_H
 #define CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_COLUMNS_OF_POINTS_H
 
+#include <CGAL/Curvature_aware_simplification_3/internal/Flags.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Neighbor_search.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Neighborhood.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Noise_probes.h>
@@ -15,7 +16,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <cstdint>
 #include <iterator>
 #include <vector>
 
@@ -103,9 +103,8 @@ median_columns(const Noise_probes& probes, const std::vector<std::size_t>& range
 // chance: they did in up to 0.4 of the ranges. Of frames, 0.5 to 0.9 rise, unless their points
 // scatter so far that columns hardly show. So none is taken for columns if these are too few.
 template <typename ConcurrencyTag>
-std::vector<std::uint8_t>
-find_columns(const Noise_probes& probes, const std::vector<std::size_t>& ranges,
-             const std::vector<Vector>& axes, const Neighbor_search& search)
+Flags find_columns(const Noise_probes& probes, const std::vector<std::size_t>& ranges,
+                   const std::vector<Vector>& axes, const Neighbor_search& search)
 {
   constexpr double steep = 0.15, least_share = 0.45;
   std::vector<std::size_t> suspects;
@@ -125,7 +124,7 @@ find_columns(const Noise_probes& probes, const std::vector<std::size_t>& ranges,
   };
   std::vector<std::size_t> found;
   std::copy_if(suspects.begin(), suspects.end(), std::back_inserter(found), are_columns);
-  std::vector<std::uint8_t> result(axes.size(), 0);
+  Flags result(axes.size(), 0);
   if (static_cast<double>(found.size()) >= least_share * static_cast<double>(ranges.size()))
     for (std::size_t range : found)
       result[range] = 1;

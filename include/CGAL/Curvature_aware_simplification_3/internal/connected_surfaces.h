@@ -6,11 +6,12 @@
 #ifndef CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_CONNECTED_SURFACES_H
 #define CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_CONNECTED_SURFACES_H
 
+#include <CGAL/Curvature_aware_simplification_3/internal/Flags.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Searchable_points.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/features.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/index_selection.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/loops.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/mutual_neighbors.h>
-#include <CGAL/Curvature_aware_simplification_3/internal/prefix_sums.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/sparse_surfaces.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/thick_and_sparse.h>
 
@@ -38,28 +39,21 @@ inline std::size_t needed_neighbors(std::size_t k, bool are_outliers_likely)
 // Of the far ones that are marked, those of whose k nearest `needed` are not and have them among
 // their own. `neighbors` counts these for all points that are far and marked.
 template <typename ConcurrencyTag>
-std::vector<std::size_t> next_to_unmarked(const Searchable_points& cloud, const Features& features,
-                                          std::size_t needed,
-                                          const std::vector<std::size_t>& far_ones,
-                                          const std::vector<std::uint8_t>& is_outlier,
-                                          std::vector<std::atomic<std::uint32_t>>& neighbors)
+std::vector<std::size_t>
+next_to_unmarked(const Searchable_points& cloud, const Features& features, std::size_t needed,
+                 const std::vector<std::size_t>& far_ones, const Flags& is_outlier,
+                 std::vector<std::atomic<std::uint32_t>>& neighbors)
 {
-  std::vector<std::uint8_t> has_enough(far_ones.size());
-  for_each_index<ConcurrencyTag>(0, far_ones.size(), [&](std::size_t f) {
-    const std::size_t i = far_ones[f];
+  return those_where<ConcurrencyTag>(far_ones, [&](std::size_t i) {
     if (is_outlier[i] == 0)
-      return;
+      return false;
     std::uint32_t number = 0;
     for_each_mutual_neighbor(
         cloud, features, i, [&](std::size_t j) { return is_outlier[j] == 0; },
         [&](std::size_t) { ++number; });
     neighbors[i].store(number, std::memory_order_relaxed);
-    has_enough[f] = number >= needed ? 1 : 0;
+    return number >= needed;
   });
-  return elements_at<ConcurrencyTag>(
-      indices_where<ConcurrencyTag>(far_ones.size(),
-                                    [&](std::size_t f) { return has_enough[f] != 0; }),
-      far_ones);
 }
 
 // Unmarks those of the far ones of whose k nearest so many at least are not marked and have it
@@ -70,7 +64,7 @@ std::vector<std::size_t> next_to_unmarked(const Searchable_points& cloud, const 
 template <typename ConcurrencyTag>
 void unmark_connected(const Searchable_points& cloud, const Features& features,
                       bool are_outliers_likely, const std::vector<std::size_t>& far_ones,
-                      std::vector<std::uint8_t>& is_outlier)
+                      Flags& is_outlier)
 {
   const std::size_t k = features.number_of_neighbors;
   const std::size_t needed = needed_neighbors(k, are_outliers_likely);

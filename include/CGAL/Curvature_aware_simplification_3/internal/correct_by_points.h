@@ -10,7 +10,7 @@
 #include <CGAL/Curvature_aware_simplification_3/internal/Sample_neighbors.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Surface_fit.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Surface_sample.h>
-#include <CGAL/Curvature_aware_simplification_3/internal/prefix_sums.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/index_selection.h>
 
 #include <algorithm>
 #include <cmath>
@@ -58,13 +58,12 @@ double squared_distance_to_samples(const Point& p, const Neighbors& neighbors,
 // Of the points of the input around a sample, the one that is farthest from all samples and from
 // the points that are `taken` since these were listed; the place of the sample itself if all are
 inline Point point_in_largest_gap(const Surface_sample& x, const Neighbor_search& samples,
-                                  const std::set<Point>& taken, const Surface_fit& fit)
+                                  const std::set<Point>& taken, const Neighbor_search& input)
 {
   std::vector<Point> around, taken_around;
-  fit.search.for_each_nearest(x.point, smallest_neighborhood,
-                              [&](std::size_t, const Point& p, double) {
-                                (taken.count(p) == 0 ? around : taken_around).push_back(p);
-                              });
+  input.for_each_nearest(x.point, smallest_neighborhood, [&](std::size_t, const Point& p, double) {
+    (taken.count(p) == 0 ? around : taken_around).push_back(p);
+  });
   Point result = x.point;
   double largest = 0.;
   for (const Point& p : around)
@@ -105,7 +104,7 @@ std::vector<std::size_t> copies_of_others(const std::vector<Surface_sample>& sam
 // is used twice leaves one out. Samples at the place of another fill gaps as well.
 template <typename ConcurrencyTag>
 void correct_by_points(std::vector<Surface_sample>& samples, const std::vector<Point>& nearest,
-                       const Sample_neighbors& neighbors, const Surface_fit& fit)
+                       const Sample_neighbors& neighbors, const Neighbor_search& input)
 {
   constexpr double same_place = 0.1; // in spacings: two samples there show no more than one
 
@@ -125,7 +124,7 @@ void correct_by_points(std::vector<Surface_sample>& samples, const std::vector<P
   std::vector<std::size_t> late = copies;
   for (std::size_t i : missed)
   {
-    const Point point = fit.search.nearest(nearest[i]); // exactly, and not relative to the sample
+    const Point point = input.nearest(nearest[i]); // exactly, and not relative to the sample
     const double gap = same_place * samples[i].spacing;
     if (squared_distance_to_samples(point, neighbors.of(i), samples) > gap * gap &&
         taken.insert(point).second)
@@ -138,7 +137,7 @@ void correct_by_points(std::vector<Surface_sample>& samples, const std::vector<P
   const Neighbor_search search(points_of<ConcurrencyTag>(samples), ConcurrencyTag());
   for (std::size_t i : late)
   {
-    samples[i].point = point_in_largest_gap(samples[i], search, taken, fit);
+    samples[i].point = point_in_largest_gap(samples[i], search, taken, input);
     taken.insert(samples[i].point);
   }
 }

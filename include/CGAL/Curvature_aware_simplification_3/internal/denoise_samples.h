@@ -47,7 +47,7 @@ inline double part_of_step(const Fit_difference& steps, double missed_shape)
 // One difference tells little, so the mean square is over the sample and its 32 nearest, where
 // shape is similar.
 template <typename ConcurrencyTag>
-void denoise_samples(std::vector<Surface_sample>& samples, const Surface_fit& fit,
+void denoise_samples(std::vector<Surface_sample>& samples, const Surface_fitter& fitter,
                      const Progress& progress)
 {
   constexpr std::size_t pool = 33; // squares: their mean is known to a fourth of itself
@@ -56,7 +56,7 @@ void denoise_samples(std::vector<Surface_sample>& samples, const Surface_fit& fi
   std::vector<Point> points(samples.size());
   for_each_index<ConcurrencyTag>(samples.size(), progress, [&](std::size_t i) {
     const Surface_sample& x = samples[i];
-    fits[i] = x.noise->is_visible ? fits_of_all_sizes(fit.with(*x.noise), x)
+    fits[i] = x.noise->is_visible ? fits_of_all_sizes(fitter.at(*x.noise), x)
                                   : Fits_of_all_sizes{x.point, x.normal(), 0., {}};
     points[i] = fits[i].point;
   });
@@ -74,11 +74,11 @@ void denoise_samples(std::vector<Surface_sample>& samples, const Surface_fit& fi
     double curvature = fits[i].curvature;
     for (std::size_t m = 0; m < steps; ++m)
     {
-      const double part = part_of_step(differences[m], fit.settings.missed_shape);
+      const double part = part_of_step(differences[m], fitter.settings.missed_shape);
       height += part * fits[i].widenings[m].shift;
       curvature += part * fits[i].widenings[m].curvature;
     }
-    if (fit.settings.correct_bias_of_noise)
+    if (fitter.settings.correct_bias_of_noise)
       height -= bias_of_noise(*samples[i].noise, curvature);
     samples[i].point = points[i] + height * fits[i].normal;
   });

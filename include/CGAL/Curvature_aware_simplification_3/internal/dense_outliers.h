@@ -7,8 +7,8 @@
 #define CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_DENSE_OUTLIERS_H
 
 #include <CGAL/Curvature_aware_simplification_3/internal/features.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/index_selection.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/median_of_some.h>
-#include <CGAL/Curvature_aware_simplification_3/internal/prefix_sums.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/thick_and_sparse.h>
 
 #include <cstddef>

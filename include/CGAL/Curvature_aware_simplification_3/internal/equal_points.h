@@ -7,8 +7,9 @@
 #define CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_EQUAL_POINTS_H
 
 #include <CGAL/Curvature_aware_simplification_3/internal/Computation_kernel.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/Flags.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/index_selection.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/loops.h>
-#include <CGAL/Curvature_aware_simplification_3/internal/prefix_sums.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/sort.h>
 
 #include <boost/functional/hash.hpp>
@@ -92,10 +93,10 @@ std::vector<std::size_t> points_with_equal_hash(const std::vector<Point>& points
     if (!is_repeated)
       values.add(value);
   });
-  std::vector<std::uint8_t> is_found(n);
+  Flags is_found(n);
   for_each_point(
       [&](std::size_t i, std::size_t, bool is_repeated) { is_found[i] = is_repeated ? 1 : 0; });
-  return indices_where<ConcurrencyTag>(n, [&](std::size_t i) { return is_found[i] != 0; });
+  return flagged_indices<ConcurrencyTag>(is_found);
 }
 
 // A point that is equal to one before it in the input

@@ -8,12 +8,12 @@
 
 #include <CGAL/Curvature_aware_simplification_3/internal/Adaptive_settings.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Computation_kernel.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/Parameters.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Progress.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Sample_neighbors.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Surface_fit.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Surface_sample.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/is_in_gap.h>
-#include <CGAL/Curvature_aware_simplification_3/internal/read_parameters.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/repel_samples.h>
 
 #include <algorithm>
@@ -50,7 +50,7 @@ inline void move_along_surface(Surface_sample& x, const Vector& repulsion, const
 // brings some close to others, most of all at borders. They push each other apart once more.
 template <typename ConcurrencyTag>
 void even_out_samples(std::vector<Surface_sample>& samples, const Sample_neighbors& neighbors,
-                      const Surface_fit& fit, const Parameters& parameters,
+                      const Surface_fitter& fitter, const Parameters& parameters,
                       const Progress& progress)
 {
   // With four, errors are the same and samples twice as much farther off; with eight, errors grow.
@@ -59,11 +59,11 @@ void even_out_samples(std::vector<Surface_sample>& samples, const Sample_neighbo
   Sample_positions positions(samples, ConcurrencyTag());
   for (std::size_t round = 0; round < rounds; ++round)
     repel_samples<ConcurrencyTag>(
-        samples, positions, neighbors, parameters.repulsion_weight, fit.settings,
+        samples, positions, neighbors, parameters.repulsion_weight, fitter.settings,
         progress.part(static_cast<double>(round) / most, static_cast<double>(round + 1) / most),
         [&](Surface_sample& x, const Vector& repulsion) {
           if (x.noise->is_visible)
-            move_along_surface(x, repulsion, fit.with(*x.noise));
+            move_along_surface(x, repulsion, fitter.at(*x.noise));
         });
 }
 

@@ -8,6 +8,7 @@
 
 #include <CGAL/Curvature_aware_simplification_3/internal/Curve_ranges.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Depth_levels.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/Flags.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Layer.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Neighbor_search.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Neighborhood.h>
@@ -22,7 +23,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <cstdint>
 #include <iterator>
 #include <vector>
 
@@ -161,7 +161,7 @@ Depth_levels find_depth_levels(const std::vector<Point>& points, const Neighbor_
   // facets on steps of 73 scans with rounded depth, also with noise, at most 8 % were between
   // sheets, of those on clean sheets 42 to 76 %.
   constexpr double most_between_sheets = 0.2;
-  std::vector<std::uint8_t> on_steps(facets.size()), between_sheets(facets.size());
+  Flags on_steps(facets.size()), between_sheets(facets.size());
   for_each_index<ConcurrencyTag>(0, facets.size(), [&](std::size_t i) {
     on_steps[i] = is_on_steps(facets[i], levels, search) ? 1 : 0;
     between_sheets[i] =
@@ -169,7 +169,7 @@ Depth_levels find_depth_levels(const std::vector<Point>& points, const Neighbor_
             ? 1
             : 0;
   });
-  const auto number = [](const std::vector<std::uint8_t>& are) {
+  const auto number = [](const Flags& are) {
     return static_cast<double>(std::count(are.begin(), are.end(), 1));
   };
   const bool are_steps = 4. * number(on_steps) >= static_cast<double>(facets.size()) &&

@@ -8,22 +8,22 @@
 
 #include <CGAL/Curvature_aware_simplification_3/internal/Adaptive_settings.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Cloud.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/Flags.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Neighbor_search.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Outlier_votes.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Progress.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/connected_surfaces.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/dense_outliers.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/features.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/index_selection.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/isolated_clusters.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/loops.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/noisy_layers.h>
-#include <CGAL/Curvature_aware_simplification_3/internal/prefix_sums.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/shared_features.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/sparse_surfaces.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/thick_and_sparse.h>
 
 #include <cstddef>
-#include <cstdint>
 #include <vector>
 
 namespace CGAL {
@@ -34,10 +34,10 @@ namespace internal {
 // those that are rather far, but for those that other points show to be on a surface.
 // `number_with_few_votes` of the outliers are near it. Returns those that are in noisy layers.
 template <typename ConcurrencyTag>
-std::vector<std::size_t>
-mark_far_points(const Searchable_points& cloud, const Features& features,
-                const Sparseness& sparseness, std::size_t number_with_few_votes, bool are_dense,
-                const Adaptive_settings& settings, std::vector<std::uint8_t>& is_outlier)
+std::vector<std::size_t> mark_far_points(const Searchable_points& cloud, const Features& features,
+                                         const Sparseness& sparseness,
+                                         std::size_t number_with_few_votes, bool are_dense,
+                                         const Adaptive_settings& settings, Flags& is_outlier)
 {
   const std::vector<std::size_t> far_ones =
       indices_where<ConcurrencyTag>(cloud.size(), [&](std::size_t i) {
@@ -47,8 +47,7 @@ mark_far_points(const Searchable_points& cloud, const Features& features,
                 (are_dense && is_thick_and_sparse(features, i, least_variation_of_round_volumes,
                                                   sparseness.of_sparse_parts)));
       });
-  for_each_index<ConcurrencyTag>(0, far_ones.size(),
-                                 [&](std::size_t f) { is_outlier[far_ones[f]] = 1; });
+  set_flags<ConcurrencyTag>(is_outlier, far_ones, 1);
   if (!settings.keep_sparse_surfaces || far_ones.empty())
     return {};
   const bool are_likely = are_outliers_likely<ConcurrencyTag>(cloud, features.number_of_neighbors,
@@ -90,15 +89,10 @@ inline bool are_few_against(std::size_t second, std::size_t first)
 // unless it finds too many. Where there are no more than a few, those in the plane of their
 // neighbors are lone points of a sparse border.
 template <typename ConcurrencyTag>
-std::vector<std::uint8_t> find_outliers(const Searchable_points& cloud,
-                                        const Shared_features& shared,
-                                        const Adaptive_settings& settings, const Progress& progress)
+Flags find_outliers(const Searchable_points& cloud, const Shared_features& shared,
+                    const Adaptive_settings& settings, const Progress& progress)
 {
-  std::vector<std::uint8_t> is_outlier(cloud.size(), 0);
-  const auto marked = [&] {
-    return indices_where<ConcurrencyTag>(cloud.size(),
-                                         [&](std::size_t i) { return is_outlier[i] != 0; });
-  };
+  Flags is_outlier(cloud.size(), 0);
   const Sparseness sparseness = sparseness_of(shared.features.inverse_density);
   const bool are_dense = are_far_points_dense<ConcurrencyTag>(shared.features, sparseness);
   Outlier_votes<ConcurrencyTag> votes(cloud, shared, sparseness, are_dense, settings, is_outlier);
@@ -110,7 +104,7 @@ std::vector<std::uint8_t> find_outliers(const Searchable_points& cloud,
   votes.trust(mark_far_points<ConcurrencyTag>(
       cloud, shared.features, sparseness, with_few_votes.size(), are_dense, settings, is_outlier));
   progress.report(0.5);
-  votes.take_back(marked());
+  votes.take_back(flagged_indices<ConcurrencyTag>(is_outlier));
   progress.report(0.7);
   if (settings.find_clusters)
   {
@@ -124,7 +118,7 @@ std::vector<std::uint8_t> find_outliers(const Searchable_points& cloud,
   if (are_more_than_a_few)
   {
     const std::vector<std::size_t> hidden = votes.less_than_half();
-    if (are_few_against(hidden.size(), marked().size()))
+    if (are_few_against(hidden.size(), flagged_indices<ConcurrencyTag>(is_outlier).size()))
       votes.mark(hidden);
   }
   return is_outlier;

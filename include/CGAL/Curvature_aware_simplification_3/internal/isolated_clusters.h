@@ -7,19 +7,19 @@
 #define CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_ISOLATED_CLUSTERS_H
 
 #include <CGAL/Curvature_aware_simplification_3/internal/Covariance_sums.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/Flags.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Searchable_points.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Uninitialized_vector.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/features.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/index_selection.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/loops.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/mutual_neighbors.h>
-#include <CGAL/Curvature_aware_simplification_3/internal/prefix_sums.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/principal_axes.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/thick_and_sparse.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <cstdint>
 #include <limits>
 #include <unordered_set>
 #include <vector>
@@ -39,7 +39,7 @@ public:
   // Points with more than `sparse` 1/rho are so far from others that their neighborhoods may be of
   // several parts.
   Isolated_clusters(const Searchable_points& cloud, const Features& features, double sparse,
-                    const std::vector<std::uint8_t>& is_outlier)
+                    const Flags& is_outlier)
     : m_cloud(cloud),
       m_features(features),
       m_k(features.number_of_neighbors),
@@ -69,7 +69,7 @@ public:
     const std::vector<std::size_t> first = indices_where<ConcurrencyTag>(
         m_cloud.size(), [&](std::size_t i) { return may_be_first(i); });
     std::vector<std::vector<std::size_t>> clusters(first.size());
-    std::vector<std::uint8_t> is_clear(first.size(), 0);
+    Flags is_clear(first.size(), 0);
     for_each_index<ConcurrencyTag>(0, first.size(), [&](std::size_t c) {
       std::vector<std::size_t> cluster = component_from(first[c]);
       if (!is_isolated_volume(cluster, 1.))
@@ -219,7 +219,7 @@ private:
   const Features& m_features;
   std::size_t m_k;
   double m_sparse;
-  const std::vector<std::uint8_t>& m_is_outlier;
+  const Flags& m_is_outlier;
   Uninitialized_vector<double> m_squared_reach; // of far points; empty if there are none
 };
 

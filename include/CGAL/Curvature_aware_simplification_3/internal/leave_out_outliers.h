@@ -7,12 +7,13 @@
 #define CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_LEAVE_OUT_OUTLIERS_H
 
 #include <CGAL/Curvature_aware_simplification_3/internal/Adaptive_settings.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/Flags.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Progress.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Searchable_points.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Uninitialized_vector.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/features.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/find_outliers.h>
-#include <CGAL/Curvature_aware_simplification_3/internal/prefix_sums.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/index_selection.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/shared_features.h>
 
 #include <algorithm>
@@ -36,10 +37,9 @@ std::size_t leave_out_outliers(Searchable_points& cloud, Shared_features& shared
                                const Progress& progress)
 {
   const std::size_t n = cloud.size();
-  std::vector<std::uint8_t> is_outlier =
-      find_outliers<ConcurrencyTag>(cloud, shared, settings, progress.part(0., 0.8));
+  Flags is_outlier = find_outliers<ConcurrencyTag>(cloud, shared, settings, progress.part(0., 0.8));
   shared.votes = Uninitialized_vector<std::uint32_t>();
-  shared.represented = std::vector<std::uint8_t>();
+  shared.represented = Flags();
   const std::size_t number_found = reduce_indices<ConcurrencyTag>(
       n, std::size_t(0), [&](std::size_t i) { return std::size_t(is_outlier[i]); },
       std::plus<std::size_t>());
@@ -59,7 +59,7 @@ std::size_t leave_out_outliers(Searchable_points& cloud, Shared_features& shared
     cloud.search->hide(std::move(is_outlier));
   else
     cloud.search.reset(); // before the features are copied
-  is_outlier = std::vector<std::uint8_t>();
+  is_outlier = Flags();
   keep_elements<ConcurrencyTag>(kept, cloud.points);
   keep_elements<ConcurrencyTag>(kept, shared.features.surface_variation);
   keep_elements<ConcurrencyTag>(kept, shared.features.inverse_density);

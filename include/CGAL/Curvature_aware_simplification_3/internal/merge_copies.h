@@ -9,11 +9,12 @@
 #include <CGAL/Curvature_aware_simplification_3/internal/Computation_kernel.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Copies_of_places.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Counter_based_random.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/Flags.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Progress.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Searchable_points.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Surface_fit.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/index_selection.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/loops.h>
-#include <CGAL/Curvature_aware_simplification_3/internal/prefix_sums.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -72,12 +73,11 @@ std::size_t merge_copies(Searchable_points& cloud, std::size_t number_of_samples
       find_copies<ConcurrencyTag>(cloud.points, *cloud.search, number_of_samples);
   if (!(copies.distance > 0.))
     return 0;
-  std::vector<std::uint8_t> is_left(n);
+  Flags is_left(n);
   for_each_index<ConcurrencyTag>(n, progress, [&](std::size_t i) {
     is_left[i] = merged_point(i, cloud.points, *cloud.search, copies).is_left ? 1 : 0;
   });
-  const std::vector<std::size_t> left =
-      indices_where<ConcurrencyTag>(n, [&](std::size_t i) { return is_left[i] != 0; });
+  const std::vector<std::size_t> left = flagged_indices<ConcurrencyTag>(is_left);
   if (left.size() < (std::max)(number_of_samples, fewest_points_to_fit))
     return 0;
   std::vector<Point> places(left.size()); // few: computed again, instead of kept for all points

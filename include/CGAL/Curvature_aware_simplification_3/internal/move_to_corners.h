@@ -131,14 +131,14 @@ void leave_to_nearest(std::vector<std::optional<Target>>& targets, const std::ve
 // a sample. `neighbors` are those of about these places.
 template <typename ConcurrencyTag>
 void move_to_corners(std::vector<Surface_sample>& samples, const Sample_neighbors& neighbors,
-                     const Surface_fit& fit, const Progress& progress)
+                     const Surface_fitter& fitter, const Progress& progress)
 {
   constexpr double one_for_each_corner = 1.; // in spacings
 
   const std::vector<Point> points = points_of<ConcurrencyTag>(samples);
   std::vector<std::optional<Target>> targets(samples.size());
   for_each_index<ConcurrencyTag>(samples.size(), progress, [&](std::size_t i) {
-    targets[i] = nearest_corner(samples[i], neighbors.of(i), points, fit.with(*samples[i].noise));
+    targets[i] = nearest_corner(samples[i], neighbors.of(i), points, fitter.at(*samples[i].noise));
   });
   leave_to_nearest<ConcurrencyTag>(targets, points);
   move_to_targets<ConcurrencyTag>(samples, targets, neighbors, one_for_each_corner);

@@ -128,7 +128,8 @@ std::optional<Target> nearest_edge_point(const Surface_sample& x, const Neighbor
 // places, `bent` the points of the input at which there may be an edge.
 template <typename ConcurrencyTag>
 void move_to_edges(std::vector<Surface_sample>& samples, const Sample_neighbors& neighbors,
-                   const Surface_fit& fit, const std::vector<Point>& bent, const Progress& progress)
+                   const Surface_fitter& fitter, const std::vector<Point>& bent,
+                   const Progress& progress)
 {
   // In spacings: of samples that would go to nearly the same place, only the nearest does. With
   // 0.15 to 0.45, errors at 10 % of the points are the same within 3 %.
@@ -142,7 +143,7 @@ void move_to_edges(std::vector<Surface_sample>& samples, const Sample_neighbors&
   std::vector<std::optional<Target>> targets(samples.size());
   for_each_index<ConcurrencyTag>(samples.size(), progress, [&](std::size_t i) {
     targets[i] = nearest_edge_point(samples[i], neighbors.of(i), points,
-                                    fit.with(*samples[i].noise), bent_search);
+                                    fitter.at(*samples[i].noise), bent_search);
   });
   move_to_targets<ConcurrencyTag>(samples, targets, neighbors, too_close);
 }

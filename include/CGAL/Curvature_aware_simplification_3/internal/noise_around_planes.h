@@ -7,6 +7,7 @@
 #define CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_NOISE_AROUND_PLANES_H
 
 #include <CGAL/Curvature_aware_simplification_3/internal/Adaptive_settings.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/Flags.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Layer.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Neighbor_search.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Noise_probes.h>
@@ -18,7 +19,6 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <cstdint>
 #include <iterator>
 #include <vector>
 
@@ -48,7 +48,7 @@ std::vector<Shown_noise> noise_around_planes(const Noise_probes& probes,
   const std::vector<Layer> narrow = layers(k), wide = layers(2 * k);
   const std::vector<double> turns = median_turns<ConcurrencyTag>(probes, ranges, search, k);
   std::vector<Vector> axes(ranges.size(), NULL_VECTOR);
-  std::vector<std::uint8_t> in_columns(ranges.size(), 0);
+  Flags in_columns(ranges.size(), 0);
   if (settings.find_columns)
   {
     std::vector<std::size_t> suspects; // elsewhere, planes are in the surface

@@ -8,10 +8,11 @@
 
 #include <CGAL/Curvature_aware_simplification_3/internal/Covariance_sums.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Curve_ranges.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/Flags.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Searchable_points.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/features.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/index_selection.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/loops.h>
-#include <CGAL/Curvature_aware_simplification_3/internal/prefix_sums.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/principal_axes.h>
 
 #include <Eigen/Core>
@@ -19,7 +20,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <cstdint>
 #include <optional>
 #include <vector>
 
@@ -79,11 +79,11 @@ inline std::optional<Thick_plane> sparse_layer(const Searchable_points& cloud,
 template <typename ConcurrencyTag>
 std::vector<std::size_t>
 unmark_noisy_layers(const Searchable_points& cloud, const Features& features, double sparse,
-                    const std::vector<std::size_t>& far_ones, std::vector<std::uint8_t>& is_outlier)
+                    const std::vector<std::size_t>& far_ones, Flags& is_outlier)
 {
   const std::size_t n = far_ones.size(), k = features.number_of_neighbors;
   const Curve_ranges ranges{n / (16 * k) + 1, n};
-  std::vector<std::uint8_t> is_in_layer(n, 0);
+  Flags is_in_layer(n, 0);
   for_each_index<ConcurrencyTag>(0, ranges.number, [&](std::size_t range) {
     const std::size_t begin = ranges.first_point(range), end = ranges.first_point(range + 1);
     const Point& place = cloud.points[far_ones[begin + (end - begin) / 2]];
@@ -93,11 +93,9 @@ unmark_noisy_layers(const Searchable_points& cloud, const Features& features, do
     for (std::size_t f = begin; layer && f < end; ++f)
       is_in_layer[f] = layer->holds(cloud.points[far_ones[f]]) ? 1 : 0;
   });
-  const std::vector<std::size_t> in_layers = elements_at<ConcurrencyTag>(
-      indices_where<ConcurrencyTag>(n, [&](std::size_t f) { return is_in_layer[f] != 0; }),
-      far_ones);
-  for_each_index<ConcurrencyTag>(0, in_layers.size(),
-                                 [&](std::size_t i) { is_outlier[in_layers[i]] = 0; });
+  const std::vector<std::size_t> in_layers =
+      elements_at<ConcurrencyTag>(flagged_indices<ConcurrencyTag>(is_in_layer), far_ones);
+  set_flags<ConcurrencyTag>(is_outlier, in_layers, 0);
   return in_layers;
 }
 

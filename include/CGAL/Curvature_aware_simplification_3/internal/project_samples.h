@@ -7,6 +7,7 @@
 #define CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_PROJECT_SAMPLES_H
 
 #include <CGAL/Curvature_aware_simplification_3/internal/Computation_kernel.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/Parameters.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Progress.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Sample_neighbors.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Scan.h>
@@ -19,7 +20,6 @@
 #include <CGAL/Curvature_aware_simplification_3/internal/loops.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/move_to_corners.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/move_to_edges.h>
-#include <CGAL/Curvature_aware_simplification_3/internal/read_parameters.h>
 
 #include <cstddef>
 #include <vector>
@@ -33,25 +33,26 @@ namespace internal {
 // places.
 template <typename ConcurrencyTag>
 void project_samples(std::vector<Surface_sample>& samples, const Sample_neighbors& neighbors,
-                     const Scan& scan, const Surface_fit& fit, const Parameters& parameters,
+                     const Scan& scan, const Surface_fitter& fitter, const Parameters& parameters,
                      const Progress& progress)
 {
   std::vector<Point> nearest(samples.size());
   for_each_index<ConcurrencyTag>(samples.size(), progress.part(0., 0.4), [&](std::size_t i) {
     Surface_sample& x = samples[i];
-    nearest[i] = x.place(fit.with(*x.noise), x.point, x.normal(), rounds_to_stay);
+    nearest[i] = x.place(fitter.at(*x.noise), x.point, x.normal(), rounds_to_stay);
   });
-  if (fit.settings.denoise && scan.noise.is_visible())
-    denoise_samples<ConcurrencyTag>(samples, fit, progress.part(0.4, 0.75));
-  if (fit.settings.even_out && scan.noise.is_visible())
-    even_out_samples<ConcurrencyTag>(samples, neighbors, fit, parameters, progress.part(0.75, 0.8));
-  if (fit.settings.correct_by_points && !scan.had_more_than_a_few_outliers)
-    correct_by_points<ConcurrencyTag>(samples, nearest, neighbors, fit);
-  if (fit.settings.move_to_edges)
-    move_to_edges<ConcurrencyTag>(samples, neighbors, fit, scan.bent_points,
+  if (fitter.settings.denoise && scan.noise.is_visible())
+    denoise_samples<ConcurrencyTag>(samples, fitter, progress.part(0.4, 0.75));
+  if (fitter.settings.even_out && scan.noise.is_visible())
+    even_out_samples<ConcurrencyTag>(samples, neighbors, fitter, parameters,
+                                     progress.part(0.75, 0.8));
+  if (fitter.settings.correct_by_points && !scan.had_more_than_a_few_outliers)
+    correct_by_points<ConcurrencyTag>(samples, nearest, neighbors, *scan.search);
+  if (fitter.settings.move_to_edges)
+    move_to_edges<ConcurrencyTag>(samples, neighbors, fitter, scan.bent_points,
                                   progress.part(0.8, 0.93));
-  if (fit.settings.move_to_corners)
-    move_to_corners<ConcurrencyTag>(samples, neighbors, fit, progress.part(0.93, 1.));
+  if (fitter.settings.move_to_corners)
+    move_to_corners<ConcurrencyTag>(samples, neighbors, fitter, progress.part(0.93, 1.));
 }
 
 } // namespace internal

@@ -6,6 +6,9 @@
 #ifndef CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_READ_PARAMETERS_H
 #define CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_READ_PARAMETERS_H
 
+#include <CGAL/Curvature_aware_simplification_3/internal/Parameters.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/check_parameters.h>
+
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/boost/graph/named_params_helper.h>
 #include <CGAL/number_utils.h>
@@ -15,9 +18,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
-#include <limits>
-#include <sstream>
-#include <stdexcept>
 #include <string>
 #include <type_traits>
 
@@ -32,76 +32,12 @@ namespace CGAL {
 namespace Curvature_aware_simplification_3 {
 namespace internal {
 
-// A parameter that is out of range: the message names it, its value and what is allowed.
-template <typename Value>
-[[noreturn]] void throw_invalid_parameter(const std::string& name, const Value& value,
-                                          const std::string& allowed)
-{
-  std::ostringstream message; // with + since a small integer type may be that of characters
-  message.precision(std::numeric_limits<double>::max_digits10);
-  message << name << " is " << +value << ", but must be " << allowed;
-  throw std::invalid_argument(message.str());
-}
-
-// In the range tests, a NaN fails every comparison, hence is never allowed.
-inline double checked(const std::string& name, double value, bool is_allowed,
-                      const std::string& allowed)
-{
-  if (!is_allowed)
-    throw_invalid_parameter(name, value, allowed);
-  return value;
-}
-
-[[noreturn]] inline void throw_empty_range()
-{
-  throw std::invalid_argument("points is empty, but must hold at least one point");
-}
-
-// Of neighbors, all of which are used if there are fewer, and of iterations
-inline constexpr std::size_t largest_count = (std::numeric_limits<unsigned int>::max)();
-
-// Compared before the conversion, so that a negative value is reported and not wrapped around.
-template <typename Value>
-std::size_t checked_count(const std::string& name, const Value& value, std::size_t minimum,
-                          std::size_t maximum, const std::string& allowed)
-{
-  static_assert(std::is_arithmetic<Value>::value, "a count must be a number");
-  const long double number = static_cast<long double>(value);
-  if (!(number >= static_cast<long double>(minimum) &&
-        number <= static_cast<long double>(maximum) && number == std::floor(number)))
-    throw_invalid_parameter(name, value, allowed);
-  return static_cast<std::size_t>(value);
-}
-
-// All named parameters but the property maps and traits: read and checked here, once
-struct Parameters
-{
-  std::size_t number_of_output_points; // N
-  std::size_t number_of_neighbors;     // k
-  double curvature_weight;             // w_kappa = 1 - w_rho
-  double adaptivity;                   // alpha
-  std::uint64_t random_seed;
-  std::size_t number_of_iterations;
-  double curvature_dependence;   // d
-  double repulsion_weight;       // mu
-  double neighbor_radius;        // h in the caller's unit; 0: derived from the samples
-  bool recompute_curvature;      // paper, sec. 5.3
-  bool require_uniform_sampling; // the density weights of Huang et al. (2009)
-  bool settings_of_the_paper;    // the literal method instead of the adaptive one
-  std::function<bool(double)> callback;
-};
-
 // How many of M points a percentage is: rounded down as in CGAL's other functions, but at least one
 inline std::size_t percentage_of(double percentage, std::size_t number_of_points)
 {
   // The product before the quotient: 100 * (29 / 100.) is below 29.
   const double count = static_cast<double>(number_of_points) * percentage / 100.;
   return (std::max)(std::size_t(1), static_cast<std::size_t>(count));
-}
-
-inline std::string count_from(std::size_t minimum)
-{
-  return "an integer from " + std::to_string(minimum) + " to " + std::to_string(largest_count);
 }
 
 // The value of a named parameter as a double
@@ -124,9 +60,10 @@ std::function<bool(double)> read_callback(const NamedParameters& np)
                                       Callback());
 }
 
-// Those of the selection
+// Reads and checks them, once. Those of the selection:
 template <typename NamedParameters>
-Parameters read_parameters_of_selection(const NamedParameters& np, std::size_t number_of_points)
+Selection_parameters read_selection_parameters(const NamedParameters& np,
+                                               std::size_t number_of_points)
 {
   using parameters::choose_parameter;
   using parameters::get_parameter;
@@ -135,7 +72,7 @@ Parameters read_parameters_of_selection(const NamedParameters& np, std::size_t n
   if (number_of_points == 0)
     throw_empty_range();
 
-  Parameters result{};
+  Selection_parameters result{};
 
   if (is_default_parameter<NamedParameters, internal_np::number_of_output_points_t>::value)
   {
@@ -174,6 +111,7 @@ Parameters read_parameters_of_selection(const NamedParameters& np, std::size_t n
   return result;
 }
 
+// All:
 template <typename NamedParameters>
 Parameters read_parameters(const NamedParameters& np, std::size_t number_of_points)
 {
@@ -181,7 +119,9 @@ Parameters read_parameters(const NamedParameters& np, std::size_t number_of_poin
   using parameters::get_parameter;
   using parameters::is_default_parameter;
 
-  Parameters result = internal::read_parameters_of_selection(np, number_of_points);
+  Parameters result{};
+  static_cast<Selection_parameters&>(result) =
+      internal::read_selection_parameters(np, number_of_points);
 
   result.number_of_iterations =
       checked_count("number_of_iterations",
@@ -196,11 +136,12 @@ Parameters read_parameters(const NamedParameters& np, std::size_t number_of_poin
   result.repulsion_weight =
       checked("repulsion_weight", mu, mu >= 0. && mu < 0.5, "at least 0 and below 0.5");
 
-  const double h = internal::number(np, internal_np::neighbor_radius, 0.);
-  const bool is_derived =
-      is_default_parameter<NamedParameters, internal_np::neighbor_radius_t>::value;
-  result.neighbor_radius = checked("neighbor_radius", h, is_derived || (h > 0. && std::isfinite(h)),
-                                   "above 0 and finite");
+  if (!is_default_parameter<NamedParameters, internal_np::neighbor_radius_t>::value)
+  {
+    const double h = internal::number(np, internal_np::neighbor_radius, 1.);
+    result.neighbor_radius =
+        checked("neighbor_radius", h, h > 0. && std::isfinite(h), "above 0 and finite");
+  }
 
   result.recompute_curvature =
       choose_parameter(get_parameter(np, internal_np::recompute_curvature), false);

@@ -24,7 +24,8 @@ namespace internal {
 // One iteration for one sample. The first term of eq. 8, which draws samples to the input, has
 // become the surface that each sample moves on: it is exact to third order, where a mean is to
 // first, and is fitted again when the sample leaves the part that it was fitted to.
-inline void move_on_surface(Surface_sample& x, const Vector& repulsion, const Surface_fit& fit)
+inline void move_on_surface(Surface_sample& x, const Vector& repulsion,
+                            const Surface_fitter& fitter)
 {
   constexpr double trusted = 0.7; // of the radius of a fit: half of its area
   const Vector step = limited_step(repulsion, x.spacing);
@@ -38,7 +39,7 @@ inline void move_on_surface(Surface_sample& x, const Vector& repulsion, const Su
   }
   // beyond the fit, it is followed for half its radius at most
   const double part = (std::min)(1., 1.5 * x.surface.radius / distance);
-  x.place(fit.with(*x.noise), x.surface.point(part * a, part * b),
+  x.place(fitter.at(*x.noise), x.surface.point(part * a, part * b),
           x.surface.normal(part * a, part * b), rounds_to_move);
 }
 
@@ -56,9 +57,9 @@ inline double length_of_steps(double first, std::size_t iteration, std::size_t n
 // Iterations of eq. 8 until the samples rest, at most `number_of_iterations`. Returns the neighbors
 // that they ended with, in the order of their distances.
 template <typename ConcurrencyTag>
-Sample_neighbors relax_on_surface(std::vector<Surface_sample>& samples, const Surface_fit& fit,
-                                  std::size_t number_of_iterations, double repulsion_weight,
-                                  const Progress& progress)
+Sample_neighbors relax_on_surface(std::vector<Surface_sample>& samples,
+                                  const Surface_fitter& fitter, std::size_t number_of_iterations,
+                                  double repulsion_weight, const Progress& progress)
 {
   // Means over all samples of how far they move, in spacings. Ten iterations come to 1 or a little
   // less: after the third, neighbors are searched for again. With 0.25, they would be a third time,
@@ -91,13 +92,13 @@ Sample_neighbors relax_on_surface(std::vector<Surface_sample>& samples, const Su
       last_search = iteration;
     }
     const double iterations = static_cast<double>(number_of_iterations);
-    const double weight = repulsion_weight * length_of_steps(fit.settings.length_of_first_steps,
+    const double weight = repulsion_weight * length_of_steps(fitter.settings.length_of_first_steps,
                                                              iteration, number_of_iterations);
     const double mean_move = repel_samples<ConcurrencyTag>(
-        samples, positions, neighbors, weight, fit.settings,
+        samples, positions, neighbors, weight, fitter.settings,
         progress.part(static_cast<double>(iteration) / iterations,
                       static_cast<double>(iteration + 1) / iterations),
-        [&](Surface_sample& x, const Vector& step) { move_on_surface(x, step, fit); });
+        [&](Surface_sample& x, const Vector& step) { move_on_surface(x, step, fitter); });
     if (mean_move < at_rest)
       break;
     moved_since_search += mean_move;

@@ -7,12 +7,12 @@
 #define CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_RELAX_REPEATEDLY_H
 
 #include <CGAL/Curvature_aware_simplification_3/internal/Curvature_weights.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/Parameters.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Progress.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Searchable_points.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/density_weights.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/features.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/loops.h>
-#include <CGAL/Curvature_aware_simplification_3/internal/read_parameters.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/relax.h>
 
 #include <algorithm>

@@ -9,7 +9,7 @@
 #include <CGAL/Curvature_aware_simplification_3/internal/Counter_based_random.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Curve_ranges.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/loops.h>
-#include <CGAL/Curvature_aware_simplification_3/internal/prefix_sums.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/sum_up.h>
 
 #include <CGAL/assertions.h>
 

@@ -8,10 +8,10 @@
 
 #include <CGAL/Curvature_aware_simplification_3/internal/Cloud.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Counter_based_random.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/Parameters.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/features.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/index_selection.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/loops.h>
-#include <CGAL/Curvature_aware_simplification_3/internal/prefix_sums.h>
-#include <CGAL/Curvature_aware_simplification_3/internal/read_parameters.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -65,7 +65,7 @@ private:
 // log N)
 template <typename ConcurrencyTag>
 std::vector<std::size_t> select_points(const Cloud& cloud, const Features& features,
-                                       const Parameters& parameters)
+                                       const Selection_parameters& parameters)
 {
   const std::size_t number_of_points = parameters.number_of_output_points;
   const Selection_probability probability(

@@ -8,16 +8,16 @@
 
 #include <CGAL/Curvature_aware_simplification_3/internal/Adaptive_settings.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Noise_levels.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/Parameters.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Progress.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Scan.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Surface_fit.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Surface_sample.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Uninitialized_vector.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/fit_to_neighbors.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/index_selection.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/lattice_spacing.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/loops.h>
-#include <CGAL/Curvature_aware_simplification_3/internal/prefix_sums.h>
-#include <CGAL/Curvature_aware_simplification_3/internal/read_parameters.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/sampling_density.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/select_along_curve.h>
 
@@ -55,12 +55,12 @@ std::vector<Surface_sample> select_samples(Scan& scan, const Parameters& paramet
 
 // Fits a surface around each sample, and puts it there
 template <typename ConcurrencyTag>
-void place_on_surface(std::vector<Surface_sample>& samples, const Surface_fit& fit,
+void place_on_surface(std::vector<Surface_sample>& samples, const Surface_fitter& fitter,
                       const Progress& progress)
 {
   for_each_index<ConcurrencyTag>(samples.size(), progress, [&](std::size_t i) {
     Surface_sample& x = samples[i];
-    x.place(fit.with(*x.noise), x.point, NULL_VECTOR, rounds_to_move);
+    x.place(fitter.at(*x.noise), x.point, NULL_VECTOR, rounds_to_move);
   });
 }
 

@@ -6,6 +6,7 @@
 #ifndef CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_SHARED_FEATURES_H
 #define CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_SHARED_FEATURES_H
 
+#include <CGAL/Curvature_aware_simplification_3/internal/Flags.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Searchable_points.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Uninitialized_vector.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/features.h>
@@ -70,7 +71,7 @@ Shared_features compute_shared_features(const Searchable_points& cloud,
     shared.features.inverse_density[i] = local.inverse_density;
   };
 
-  std::vector<std::uint8_t> is_done(n, 0);
+  Flags is_done(n, 0);
   // sums of integers: the order does not matter
   Uninitialized_vector<std::atomic<std::uint32_t>> votes(n);
   for_each_index<ConcurrencyTag>(

@@ -11,15 +11,15 @@
 #include <CGAL/Curvature_aware_simplification_3/internal/Curve_ranges.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Distinct_samples.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Frame.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/Parameters.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Progress.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Searchable_points.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Stopwatch.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Surface_fit.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Surface_sample.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/clean_scan.h>
-#include <CGAL/Curvature_aware_simplification_3/internal/prefix_sums.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/index_selection.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/project_samples.h>
-#include <CGAL/Curvature_aware_simplification_3/internal/read_parameters.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/relax_on_surface.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/select_along_curve.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/select_samples.h>
@@ -79,15 +79,14 @@ Distinct_samples simplify_adaptively(Cloud cloud, const Parameters& parameters,
       select_samples<ConcurrencyTag>(scan, parameters, settings, progress.part(0.4, 0.5));
   report.selection_time = stopwatch.lap();
 
-  // each sample has its own noise
-  const Surface_fit fit{*scan.search, no_noise, settings};
-  place_on_surface<ConcurrencyTag>(samples, fit, progress.part(0.5, 0.6));
+  const Surface_fitter fitter{*scan.search, settings};
+  place_on_surface<ConcurrencyTag>(samples, fitter, progress.part(0.5, 0.6));
   const Sample_neighbors neighbors =
-      relax_on_surface<ConcurrencyTag>(samples, fit, parameters.number_of_iterations,
+      relax_on_surface<ConcurrencyTag>(samples, fitter, parameters.number_of_iterations,
                                        parameters.repulsion_weight, progress.part(0.6, 0.85));
   report.relaxation_time = stopwatch.lap();
 
-  project_samples<ConcurrencyTag>(samples, neighbors, scan, fit, parameters,
+  project_samples<ConcurrencyTag>(samples, neighbors, scan, fitter, parameters,
                                   progress.part(0.85, 1.));
   std::vector<Point> points = points_of<ConcurrencyTag>(samples);
   report.projection_time = stopwatch.lap();

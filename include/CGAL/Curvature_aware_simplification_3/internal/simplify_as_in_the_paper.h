@@ -8,9 +8,9 @@
 
 #include <CGAL/Curvature_aware_simplification_3/internal/Cloud.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Distinct_samples.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/Parameters.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Stopwatch.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/features.h>
-#include <CGAL/Curvature_aware_simplification_3/internal/read_parameters.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/relax_repeatedly.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/sample_spacing.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/select_points.h>
@@ -42,17 +42,17 @@ Distinct_samples simplify_as_in_the_paper(const Cloud& cloud, const Parameters& 
   const double spacing = sample_spacing<ConcurrencyTag>(samples.points);
   // Of a radius that is far larger than all distances, squares must be numbers; theta is 1.
   constexpr double largest_radius = 1e100;
-  const bool is_given = parameters.neighbor_radius > 0.;
   const double h =
-      is_given ? (std::min)(cloud.frame.length_to_frame(parameters.neighbor_radius), largest_radius)
-               : radius_in_spacings * spacing;
+      parameters.neighbor_radius
+          ? (std::min)(cloud.frame.length_to_frame(*parameters.neighbor_radius), largest_radius)
+          : radius_in_spacings * spacing;
   // A ball smaller than the rounding error of the coordinates holds nothing but its center.
   if (h > cloud.coordinate_error)
     samples.points = relax_repeatedly<ConcurrencyTag, DiagonalizeTraits>(
         samples.points, cloud, features, h, parameters, progress.part(0.5, 1.));
   report.relaxation_time = stopwatch.lap();
   report.output_spacing = cloud.frame.length_from_frame(spacing);
-  report.neighbor_radius = is_given ? parameters.neighbor_radius : cloud.frame.length_from_frame(h);
+  report.neighbor_radius = parameters.neighbor_radius.value_or(cloud.frame.length_from_frame(h));
   return samples;
 }
 

@@ -6,19 +6,19 @@
 #ifndef CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_SMOOTH_POINTS_H
 #define CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_SMOOTH_POINTS_H
 
+#include <CGAL/Curvature_aware_simplification_3/internal/Flags.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Noise_levels.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Progress.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Surface_fit.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Uninitialized_vector.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/fit_quadric.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/index_selection.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/loops.h>
-#include <CGAL/Curvature_aware_simplification_3/internal/prefix_sums.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/thin_points.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <cstdint>
 #include <vector>
 
 namespace CGAL {
@@ -150,19 +150,19 @@ Noise_levels noise_left(const Noise_levels& noise, const std::vector<std::size_t
 // noise. Returns what is left of it.
 template <typename ConcurrencyTag>
 Noise_levels smooth_points(std::vector<Point>& points,
-                           const Uninitialized_vector<double>& inverse_density,
-                           std::vector<std::uint8_t>& is_bent, const Neighbor_search& search,
-                           const Noise_levels& noise, std::size_t number_of_samples,
-                           const Adaptive_settings& settings, const Progress& progress)
+                           const Uninitialized_vector<double>& inverse_density, Flags& is_bent,
+                           const Neighbor_search& search, const Noise_levels& noise,
+                           std::size_t number_of_samples, const Adaptive_settings& settings,
+                           const Progress& progress)
 {
-  const Surface_fit fit{search, no_noise, settings}; // each point has its own noise
+  const Surface_fitter fitter{search, settings};
   const std::vector<std::size_t> kept_points =
       thin_points<ConcurrencyTag>(inverse_density, noise, number_of_samples);
   std::vector<double> variance(kept_points.size());
   for_each_index<ConcurrencyTag>(kept_points.size(), progress, [&](std::size_t i) {
     const std::size_t j = kept_points[i];
     const Smoothed_point result =
-        smooth_point(fit.with(noise.at(j)), points[j], inverse_density[j]);
+        smooth_point(fitter.at(noise.at(j)), points[j], inverse_density[j]);
     points[j] = result.point; // the search has its own
     variance[i] = result.variance;
   });

@@ -7,6 +7,7 @@
 #define CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_SMOOTH_SCAN_H
 
 #include <CGAL/Curvature_aware_simplification_3/internal/Adaptive_settings.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/Flags.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Neighbor_search.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Progress.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Scan.h>
@@ -17,7 +18,6 @@
 #include <CGAL/Curvature_aware_simplification_3/internal/smoothing_radii.h>
 
 #include <cstddef>
-#include <cstdint>
 #include <memory>
 #include <vector>
 
@@ -28,8 +28,8 @@ namespace internal {
 // Takes visible noise away, and measures again what the smoothed points tell. `is_bent` is 1 for
 // points of the scan at which there may be an edge, and k the number of neighbors for densities.
 template <typename ConcurrencyTag>
-void smooth_scan(Scan& scan, std::vector<std::uint8_t>& is_bent, std::size_t number_of_samples,
-                 std::size_t k, const Adaptive_settings& settings, const Progress& progress)
+void smooth_scan(Scan& scan, Flags& is_bent, std::size_t number_of_samples, std::size_t k,
+                 const Adaptive_settings& settings, const Progress& progress)
 {
   set_smoothing_radii<ConcurrencyTag>(scan.noise, scan.points, *scan.search,
                                       scan.spacing_of(number_of_samples), settings);

@@ -139,7 +139,7 @@ void set_smoothing_radii(Noise_levels& noise, const std::vector<Point>& points,
   if (!settings.smooth_by_shape)
     return;
 
-  const Surface_fit fit{search, no_noise, settings}; // each place has its own noise
+  const Surface_fitter fitter{search, settings};
   const Noise_probes probes =
       noise_probes<ConcurrencyTag>(points, many_probes(points.size(), settings.most_noise_probes));
   const std::size_t number = probes.points.size();
@@ -148,7 +148,7 @@ void set_smoothing_radii(Noise_levels& noise, const std::vector<Point>& points,
     const Noise& here = noise.at(middle_of_part(i, number, points.size()));
     if (here.is_visible)
       differences[i] =
-          difference_of_fits(fit.with(here), probes.points[i], radius_to_compare(here));
+          difference_of_fits(fitter.at(here), probes.points[i], radius_to_compare(here));
   });
   for (std::size_t range = 0; range < noise.of_range.size(); ++range)
   {

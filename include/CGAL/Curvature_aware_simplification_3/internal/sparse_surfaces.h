@@ -7,11 +7,12 @@
 #define CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_SPARSE_SURFACES_H
 
 #include <CGAL/Curvature_aware_simplification_3/internal/Covariance_sums.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/Flags.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Searchable_points.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/features.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/index_selection.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/loops.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/median_of_some.h>
-#include <CGAL/Curvature_aware_simplification_3/internal/prefix_sums.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/principal_axes.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/thick_and_sparse.h>
 
@@ -89,8 +90,7 @@ inline double needed_share_of_support(bool are_outliers_likely)
 template <typename ConcurrencyTag>
 void unmark_sparse_surfaces(const Searchable_points& cloud, const Features& features,
                             double least_inverse_density, double needed_share,
-                            const std::vector<std::size_t>& far_ones,
-                            std::vector<std::uint8_t>& is_outlier)
+                            const std::vector<std::size_t>& far_ones, Flags& is_outlier)
 {
   // Each reaches one neighborhood farther. Where outliers and a surface are equally sparse, there
   // has to be an end: one would follow the other. With four, some legs of animals are lost.
@@ -125,17 +125,10 @@ void unmark_sparse_surfaces(const Searchable_points& cloud, const Features& feat
         for (std::size_t j : marked)
           support[j].fetch_add(1, std::memory_order_relaxed);
     });
-    supporters = elements_at<ConcurrencyTag>(
-        indices_where<ConcurrencyTag>(far_ones.size(),
-                                      [&](std::size_t f) {
-                                        const std::size_t i = far_ones[f];
-                                        return is_outlier[i] != 0 &&
-                                               support[i].load(std::memory_order_relaxed) >=
-                                                   needed_support;
-                                      }),
-        far_ones);
-    for_each_index<ConcurrencyTag>(0, supporters.size(),
-                                   [&](std::size_t s) { is_outlier[supporters[s]] = 0; });
+    supporters = those_where<ConcurrencyTag>(far_ones, [&](std::size_t i) {
+      return is_outlier[i] != 0 && support[i].load(std::memory_order_relaxed) >= needed_support;
+    });
+    set_flags<ConcurrencyTag>(is_outlier, supporters, 0);
   }
 }
 

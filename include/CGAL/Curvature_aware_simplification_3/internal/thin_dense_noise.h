@@ -13,9 +13,9 @@
 #include <CGAL/Curvature_aware_simplification_3/internal/Noise_probes.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Searchable_points.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Surface_fit.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/index_selection.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/loops.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/noise_of_scan.h>
-#include <CGAL/Curvature_aware_simplification_3/internal/prefix_sums.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/smoothing_radii.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/thin_points.h>
 

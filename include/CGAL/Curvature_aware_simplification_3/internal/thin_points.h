@@ -10,8 +10,9 @@
 #include <CGAL/Curvature_aware_simplification_3/internal/Noise_levels.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Surface_fit.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Uninitialized_vector.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/index_selection.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/loops.h>
-#include <CGAL/Curvature_aware_simplification_3/internal/prefix_sums.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/sum_up.h>
 
 #include <algorithm>
 #include <cmath>

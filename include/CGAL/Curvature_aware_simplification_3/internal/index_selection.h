@@ -3,9 +3,10 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_PREFIX_SUMS_H
-#define CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_PREFIX_SUMS_H
+#ifndef CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_INDEX_SELECTION_H
+#define CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_INDEX_SELECTION_H
 
+#include <CGAL/Curvature_aware_simplification_3/internal/Flags.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/loops.h>
 
 #include <algorithm>
@@ -41,6 +42,12 @@ std::vector<std::size_t> indices_where(std::size_t size, const Predicate& predic
   return result;
 }
 
+template <typename ConcurrencyTag>
+std::vector<std::size_t> flagged_indices(const Flags& flags)
+{
+  return indices_where<ConcurrencyTag>(flags.size(), [&](std::size_t i) { return flags[i] != 0; });
+}
+
 template <typename ConcurrencyTag, typename T>
 std::vector<T> elements_at(const std::vector<std::size_t>& indices, const std::vector<T>& elements)
 {
@@ -48,6 +55,18 @@ std::vector<T> elements_at(const std::vector<std::size_t>& indices, const std::v
   for_each_index<ConcurrencyTag>(0, indices.size(),
                                  [&](std::size_t i) { result[i] = elements[indices[i]]; });
   return result;
+}
+
+// Those of some indices for which predicate(index) holds. For few indices and a predicate that takes
+// long: threads share them one by one, and not by blocks.
+template <typename ConcurrencyTag, typename Predicate>
+std::vector<std::size_t> those_where(const std::vector<std::size_t>& indices,
+                                     const Predicate& predicate)
+{
+  Flags holds(indices.size());
+  for_each_index<ConcurrencyTag>(0, indices.size(),
+                                 [&](std::size_t i) { holds[i] = predicate(indices[i]) ? 1 : 0; });
+  return elements_at<ConcurrencyTag>(flagged_indices<ConcurrencyTag>(holds), indices);
 }
 
 // Keeps the elements at some indices, which are in order, in the memory that they have: a part at a
@@ -68,29 +87,8 @@ void keep_elements(const std::vector<std::size_t>& indices, std::vector<T, Alloc
   elements.resize(indices.size());
 }
 
-// Replaces each value, none of them negative, by the sum of all up to it. The sums do not fall:
-// where one block ends, rounding may put its last sum above what the next one starts from.
-template <typename ConcurrencyTag>
-void sum_up(std::vector<double>& values)
-{
-  std::vector<double> before((values.size() + block_size - 1) / block_size + 1, 0.);
-  for_each_index<ConcurrencyTag>(0, before.size() - 1, [&](std::size_t block) {
-    const std::size_t end = (std::min)(values.size(), (block + 1) * block_size);
-    for (std::size_t i = block * block_size; i < end; ++i)
-      before[block + 1] += values[i];
-  });
-  for (std::size_t block = 1; block < before.size(); ++block)
-    before[block] += before[block - 1];
-  for_each_index<ConcurrencyTag>(0, before.size() - 1, [&](std::size_t block) {
-    const std::size_t end = (std::min)(values.size(), (block + 1) * block_size);
-    double sum = before[block];
-    for (std::size_t i = block * block_size; i < end; ++i)
-      values[i] = (std::min)(sum += values[i], before[block + 1]);
-  });
-}
-
 } // namespace internal
 } // namespace Curvature_aware_simplification_3
 } // namespace CGAL
 
-#endif // CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_PREFIX_SUMS_H
+#endif // CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_INDEX_SELECTION_H
