@@ -376,7 +376,7 @@ TEST(Fit, that_leaves_its_ball_is_none)
   EXPECT_TRUE(fit_quadric(neighborhood, 0., surface));
   EXPECT_GT(surface.c[0], 2. * neighborhood.radius);
   Local_surface unchanged;
-  EXPECT_FALSE(fit_quadric(fit, neighborhood, unchanged));
+  EXPECT_FALSE(fit_trusted_quadric(fit, neighborhood, unchanged));
   EXPECT_EQ(unchanged.c[0], 0.);
 }
 

@@ -651,8 +651,8 @@ TEST(Planes_of_few_points, turn_from_that_of_many)
   for (int i = 0; i < 8; ++i)
     points.emplace_back(std::cos(CGAL_PI / 4. * i), std::sin(CGAL_PI / 4. * i), 0.);
   const Neighbor_search search(points, Tag());
-  EXPECT_NEAR(turn_of_plane(search, points[0], 3, points.size()), 0.8, 0.01);
-  EXPECT_NEAR(turn_of_plane(search, points[0], points.size(), points.size()), 0., 1e-7);
+  EXPECT_NEAR(tilt_of_plane(search, points[0], 3, points.size()), 0.8, 0.01);
+  EXPECT_NEAR(tilt_of_plane(search, points[0], points.size(), points.size()), 0., 1e-7);
 }
 
 // Planes that turn along the noise take no more of it than the limit allows for: here, quadrics are

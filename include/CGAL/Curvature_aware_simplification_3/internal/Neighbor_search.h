@@ -7,15 +7,11 @@
 #define CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_NEIGHBOR_SEARCH_H
 
 #include <CGAL/Curvature_aware_simplification_3/internal/Computation_kernel.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/search_traits.h>
 
-#include <CGAL/Euclidean_distance.h>
 #include <CGAL/Kd_tree.h>
 #include <CGAL/Orthogonal_k_neighbor_search.h>
-#include <CGAL/Search_traits_3.h>
-#include <CGAL/Search_traits_adapter.h>
-#include <CGAL/Splitters.h>
 #include <CGAL/assertions.h>
-#include <CGAL/property_map.h>
 
 #include <boost/iterator/function_output_iterator.hpp>
 
@@ -41,7 +37,7 @@ public:
   // O(n log n)
   template <typename ConcurrencyTag>
   Neighbor_search(const std::vector<Point>& points, const ConcurrencyTag&)
-    : m_tree(Splitter(points_in_leaf), Traits())
+    : m_tree(Half_of_box(points_in_leaf), Search_traits())
   {
     m_tree.reserve(points.size());
     for (std::size_t i = 0; i < points.size(); ++i)
@@ -134,94 +130,19 @@ public:
     };
     // by reference, since CGAL assigns output iterators, and a lambda cannot be assigned
     m_tree.search(boost::make_function_output_iterator(std::cref(visit)),
-                  Ball{center, radius * radius, left});
+                  Closed_ball{center, radius * radius, left});
     return left == 0;
   }
 
 private:
-  using Point_with_index = std::pair<Point, std::size_t>;
-  using Point_map = First_of_pair_property_map<Point_with_index>;
-  using Base_traits = Search_traits_3<Computation_kernel>;
-  using Traits = Search_traits_adapter<Point_with_index, Point_map, Base_traits>;
-
-  // Halves the bounding box of the points and not the cell that they are in, as Sliding_midpoint
-  // does: a surface leaves most of a cell empty, and a whole call takes 3 % less. No side is empty:
-  // where the two ends have no number between them, the lower one stays alone, and of equal points,
-  // each side gets half. CGAL would take one off at each level, and the stack of a search is as deep
-  // as the tree.
-  struct Splitter : Midpoint_of_max_spread<Traits>
-  {
-    using Base = Midpoint_of_max_spread<Traits>;
-    using Base::Base;
-
-    void operator()(Base::Separator& separator, Base::Container& points,
-                    Base::Container& lower) const
-    {
-      const double low = points.max_tight_span_lower(), high = points.max_tight_span_upper();
-      const double middle = (low + high) / 2.;
-      separator =
-          typename Base::Separator(points.max_tight_span_coord(), middle > low ? middle : high);
-      points.split(lower, separator, true);
-      if (low < high)
-        return;
-      const auto half = lower.begin() + (points.end() - lower.begin()) / 2;
-      lower.set_range(lower.begin(), half);
-      points.set_range(half, points.end());
-    }
-  };
-
-  // CGAL's distance comes with a loop over any number of coordinates that may stop early. Three are
-  // computed at once in less time: a whole call takes 3 % less.
-  struct Distance_in_space : Euclidean_distance<Base_traits>
-  {
-    template <typename Coordinate_iterator>
-    double interruptible_transformed_distance(const Point& query, Coordinate_iterator begin,
-                                              Coordinate_iterator end, double) const
-    {
-      return this->transformed_distance_from_coordinates(query, begin, end);
-    }
-  };
-
-  // A closed ball, a model of CGAL's FuzzyQueryItem. Fuzzy_sphere comes with loops over any number
-  // of coordinates that may stop early, and tells which cells are inside as a whole, where points
-  // need not be tested; but their distances are wanted anyway. A whole call with the settings of
-  // the paper takes 14 % less, one with noise 4 %.
-  struct Ball
-  {
-    Point center;
-    double squared_radius;
-    const std::size_t& left; // points that are asked for; without them, nothing is worth visiting
-
-    bool contains(const Point_with_index& p) const
-    {
-      return squared_distance(center, p.first) <= squared_radius;
-    }
-
-    template <typename Box>
-    bool inner_range_intersects(const Box& box) const
-    {
-      const auto outside = [&](int axis) {
-        return (std::max)(
-            {box.min_coord(axis) - center[axis], center[axis] - box.max_coord(axis), 0.});
-      };
-      return left > 0 &&
-             Vector(outside(0), outside(1), outside(2)).squared_length() <= squared_radius;
-    }
-
-    template <typename Box>
-    bool outer_range_contains(const Box&) const
-    {
-      return false; // not worth the question
-    }
-  };
-
   // With 24 instead of CGAL's 10, the tree is built in three quarters of the time, and searches
   // take as long or up to a tenth less; with 32 they are no faster.
   static constexpr unsigned int points_in_leaf = 24;
 
-  using Tree = Kd_tree<Traits, Splitter>;
-  using Distance = Distance_adapter<Point_with_index, Point_map, Distance_in_space>;
-  using K_neighbor_search = Orthogonal_k_neighbor_search<Traits, Distance, Splitter, Tree>;
+  using Tree = Kd_tree<Search_traits, Half_of_box>;
+  using Distance = Distance_adapter<Point_with_index, Point_with_index_map, Distance_in_space>;
+  using K_neighbor_search =
+      Orthogonal_k_neighbor_search<Search_traits, Distance, Half_of_box, Tree>;
 
   bool is_hidden(const Point_with_index& p) const
   {

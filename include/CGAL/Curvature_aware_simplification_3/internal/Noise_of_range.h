@@ -72,8 +72,8 @@ struct Noise_of_range
 {
   static constexpr std::size_t smallest = 17, largest = 544; // points of a layer
 
-  // Its limit is what is told by layers that are thick by their shape, as those of a twig are: of
-  // these, no number of points is wide enough.
+  // noise.limit is an upper bound, from layers that are thick by their shape, as those of a twig
+  // are: of these, no number of points is wide enough.
   Shown_noise noise;
   std::size_t enough = smallest; // points, to hold several columns
 

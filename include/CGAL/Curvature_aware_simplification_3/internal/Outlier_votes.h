@@ -7,21 +7,19 @@
 #define CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_OUTLIER_VOTES_H
 
 #include <CGAL/Curvature_aware_simplification_3/internal/Adaptive_settings.h>
-#include <CGAL/Curvature_aware_simplification_3/internal/Covariance_sums.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Flags.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Searchable_points.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Uninitialized_vector.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/index_selection.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/is_off_plane_of_neighbors.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/loops.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/mutual_neighbors.h>
-#include <CGAL/Curvature_aware_simplification_3/internal/principal_axes.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/shared_features.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/sparse_surfaces.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/thick_and_sparse.h>
 
 #include <algorithm>
 #include <atomic>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -29,27 +27,6 @@
 namespace CGAL {
 namespace Curvature_aware_simplification_3 {
 namespace internal {
-
-// Whether point i is off the plane of those of its k nearest points that are no outliers, by more
-// than a part of the radius of the neighborhood: less is no outlier that matters. A border or an
-// end of a surface is not, though it has few votes. With 0.1, 0.2, 0.3 and 0.4, of the points of a
-// surface that are lost without this, 0.42, 0.22, 0.12 and 0.05 still are (5 % outliers), and up to
-// 1.5 % more outliers are missed.
-inline bool is_off_plane_of_neighbors(const Searchable_points& cloud, std::size_t k,
-                                      const Flags& is_outlier, std::size_t i)
-{
-  constexpr double far_off = 0.3;
-  Covariance_sums sums;
-  double squared_radius = 0.;
-  cloud.search->for_each_nearest(cloud.points[i], k + 1,
-                                 [&](std::size_t j, const Point& p, double squared_distance) {
-                                   squared_radius = (std::max)(squared_radius, squared_distance);
-                                   if (j != i && is_outlier[j] == 0)
-                                     sums.add(p - cloud.points[i]);
-                                 });
-  return sums.weight < 3. ||
-         std::abs(sums.mean() * principal_axis(sums, 0)) >= far_off * std::sqrt(squared_radius);
-}
 
 // The votes of the points that are not marked as outliers, and what they tell of others. A vote
 // counts for several points where these share their features.
@@ -107,9 +84,9 @@ public:
     return found;
   }
 
-  // Of points that were found for their few votes, unmarks for good those that have one at least and
-  // are in the plane of their neighbors: lone points of sparse borders and corners are, while one of
-  // a few outliers next to a surface hardly is.
+  // Of points that were found for their few votes, unmarks for good those that have one at least
+  // and are in the plane of their neighbors: lone points of sparse borders and corners are, while
+  // one of a few outliers next to a surface hardly is.
   void keep_lone_points(const std::vector<std::size_t>& found)
   {
     const std::vector<std::size_t> lone = those_where<ConcurrencyTag>(found, [&](std::size_t i) {
@@ -154,7 +131,7 @@ public:
   }
 
 private:
-  // Not its own, which is gone with those of the point that represents it.
+  // Without its own. The counter may be 0: the point that represents it may have taken that back.
   std::size_t votes(std::size_t i) const
   {
     return (std::max)(m_votes[i].load(std::memory_order_relaxed), std::uint32_t(1)) - 1;

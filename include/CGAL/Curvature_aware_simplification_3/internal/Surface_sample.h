@@ -27,7 +27,7 @@ struct Surface_sample
   double a = 0., b = 0.;          // position on the surface
   double spacing = 0.;            // wanted distance to its neighbors, s
   const Noise* noise = &no_noise; // of the input around, of the levels of the scan
-  Point point = Point(0., 0., 0.);
+  Point point = Point(0., 0., 0.); // at (a, b), until the projection moves it off the surface
 
   Vector normal() const { return surface.normal(a, b); }
 

@@ -25,9 +25,9 @@ inline double mean_curvature(const Local_surface& surface)
 // How far fits to noisy points are off a bent surface along its normal, however many points there
 // are.
 //
-// Noise in all directions carries points along the surface, too: those over a place belong to others
-// around it. With that, their mean height is the mean of f over a normal distribution, where a^2 and
-// b^2 have the mean sigma^2:
+// Noise in all directions carries points along the surface, too: those over a place belong to
+// others around it. With that, their mean height is the mean of f over a normal distribution, where
+// a^2 and b^2 have the mean sigma^2:
 //   sigma^2 (c3 + c5),
 // to the inside of the bend. Noise along the rays of a scanner makes that only where these are
 // oblique, but it is not known which noise it is. Where points are in columns, it is: there, none.

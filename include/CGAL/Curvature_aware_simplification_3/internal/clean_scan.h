@@ -67,8 +67,8 @@ Noise_levels noise_and_enough_points(Searchable_points& cloud, Features& feature
 }
 
 // Measures what disturbs the input and takes it away, in this order: steps of the depth, copies,
-// outliers, noise. Takes what it is given, and lets go of each part when it is not needed any more: the
-// search tree is as large as all else.
+// outliers, noise. Takes what it is given, and lets go of each part when it is not needed any more:
+// the search tree is as large as all else.
 template <typename ConcurrencyTag, typename DiagonalizeTraits>
 Scan clean_scan(Searchable_points cloud, const Frame& frame, const Parameters& parameters,
                 const Adaptive_settings& settings, const Progress& progress,

@@ -56,9 +56,9 @@ struct Column
 };
 
 // The column along an axis; without an axis, none of the points is known to be in it. They may
-// scatter across it by a part of the radius of 68 points, of which 1 in 180 is so near to an axis by
-// chance, if the surface is across it. With the points of a cone of 0.1 around the direction of the
-// nearest instead, columns with a hundredth of that scatter were missed.
+// scatter across it by a part of the radius of 68 points, of which 1 in 180 is so near to an axis
+// by chance, if the surface is across it. With the points of a cone of 0.1 around the direction of
+// the nearest instead, columns with a hundredth of that scatter were missed.
 inline Column column_at(const Neighbor_search& search, const Point& place, const Vector& axis,
                         std::size_t k)
 {
@@ -74,8 +74,8 @@ inline Column column_at(const Neighbor_search& search, const Point& place, const
   return {static_cast<double>(points), std::sqrt(search.squared_distance_of_nearest(place, 2 * k))};
 }
 
-// The medians of these, of some ranges; those of others are left empty. At a probe, the axis is that
-// of its own range, along which the scanner looked there.
+// The medians of these, of some ranges; those of others are left empty. At a probe, the axis is
+// that of its own range, along which the scanner looked there.
 template <typename ConcurrencyTag>
 std::vector<Column>
 median_columns(const Noise_probes& probes, const std::vector<std::size_t>& ranges,

@@ -42,8 +42,8 @@ inline double part_of_step(const Fit_difference& steps, double missed_shape)
 
 // Moves each sample as far towards wider fits as noise explains that these differ:
 //   z = z_0 + sum_m w_m (z_m+1 - z_m).
-// What all these fits are off by the noise along the surface is taken away, with the mean curvature
-// in the same parts.
+// Then bias_of_noise() is taken away, which all these fits share, with the mean curvature combined
+// with the same w_m.
 // One difference tells little, so the mean square is over the sample and its 32 nearest, where
 // shape is similar.
 template <typename ConcurrencyTag>

@@ -21,11 +21,11 @@ namespace internal {
 // Whether outliers fill a volume so densely that some of them have less than 3 times the median
 // radius; if not, points that have less are of a surface.
 //
-// What is far is hardly farther than that: its median radius is 1.6 to 2.3 times as much where 5
-// and 10 % of outliers fill the box around a shape, more where it is thin, and 1.1 to 1.4 times
-// with 20 and 30 %. So it is at the sparse end of a surface. But of the points that are rather far
-// and thick, 0.18 to 0.33 are round in such volumes, and 0.17 at most on thin parts with noise. A
-// few far points tell nothing of that: five of a lion head were as if dense.
+// First sign: the median radius of far points hardly exceeds their limit. It is 1.6 to 2.3 times as
+// much where 5 and 10 % of outliers fill the box around a shape, more where it is thin, and 1.1 to
+// 1.4 times with 20 and 30 %. But so it is at the sparse end of a surface. Second sign: of the
+// points that are rather far and thick, 0.18 to 0.33 are round in such volumes, and 0.17 at most on
+// thin parts with noise. A few far points tell nothing: five of a lion head were as if dense.
 template <typename ConcurrencyTag>
 bool are_far_points_dense(const Features& features, const Sparseness& sparseness)
 {

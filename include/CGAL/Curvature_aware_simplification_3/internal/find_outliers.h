@@ -75,19 +75,26 @@ inline bool are_few_against(std::size_t second, std::size_t first)
 // for each point with few votes, and a pass over all points for each round of uncovering, of which
 // there are few.
 //
-// Every point votes for its k nearest. A point on a surface gets about k votes, at a corner of an
-// open surface half of them, and the density of the input cancels out: sparse regions vote for
-// themselves. An outlier near a surface has neighbors there, but is no neighbor of theirs. Outliers
-// far away vote for each other; they are those whose neighborhood is as thick as wide and has more
-// than 3 times the median radius, which noise alone does not give it; where some may be denser, the
-// roundest of those with 2 to 3 times are, too. Sparse parts of a surface look like that as well,
-// but they are layers in wider neighborhoods, flat points are nearby, or they are connected to
-// denser parts. The votes of outliers do not count, which uncovers others: where these are dense,
-// those that lose a third of theirs. Without single points between them, clusters are apart. Where
-// there are more than a few near the surface, others get between k / 4 votes, the limit of the
-// first look, and k / 2, what a corner gets: a second look, once, asks for half of the votes,
-// unless it finds too many. Where there are no more than a few, those in the plane of their
-// neighbors are lone points of a sparse border.
+// 1. Outlier_votes::mark_few(): every point votes for its k nearest. A point on a surface gets
+// about
+//    k votes, at a corner of an open surface half of them, and the density of the input cancels out:
+//    sparse regions vote for themselves. An outlier near a surface has neighbors there, but is no
+//    neighbor of theirs: it gets less than a quarter of k. (Votes are the in-degrees of the graph of
+//    k nearest neighbors; as a sign of outliers: Hautamaki et al. 2004.)
+// 2. Outlier_votes::keep_lone_points(): where these are no more than a few, those in the plane of
+//    their neighbors are lone points of a sparse border.
+// 3. mark_far_points(): outliers far away vote for each other. They are those whose neighborhood is
+//    as thick as wide and has more than 3 times the median radius, which noise alone does not give
+//    it; where some may be denser, the roundest of those with 2 to 3 times are, too. Sparse parts of a
+//    surface look like that as well, but they are layers in wider neighborhoods
+//    (unmark_noisy_layers()), flat points are nearby (unmark_sparse_surfaces()), or they are connected
+//    to denser parts (unmark_connected()).
+// 4. Outlier_votes::take_back(): the votes of outliers do not count, which uncovers others; where
+//    outliers are dense, those that lose a third of theirs.
+// 5. isolated_clusters(): without single points between them, clusters are apart.
+// 6. Outlier_votes::less_than_half(): where there are more than a few near the surface, others get
+//    between a quarter of k and half of it, what a corner gets. A second look, once, asks for half,
+//    unless it finds too many.
 template <typename ConcurrencyTag>
 Flags find_outliers(const Searchable_points& cloud, const Shared_features& shared,
                     const Adaptive_settings& settings, const Progress& progress)
@@ -108,10 +115,8 @@ Flags find_outliers(const Searchable_points& cloud, const Shared_features& share
   progress.report(0.7);
   if (settings.find_clusters)
   {
-    const std::vector<std::size_t> found =
-        Isolated_clusters<ConcurrencyTag>(cloud, shared.features, sparseness.of_outliers,
-                                          is_outlier)
-            .points();
+    const std::vector<std::size_t> found = isolated_clusters<ConcurrencyTag>(
+        cloud, shared.features, sparseness.of_outliers, is_outlier);
     votes.mark(found);
   }
   progress.report(0.9);

@@ -40,7 +40,7 @@ inline Local_surface fit_local_surface(const Surface_fit& fit, const Point& x, c
       (std::min)({largest_neighborhood, fit.search.size(),
                   (std::max)(smallest_neighborhood, fit.search.size() / 3)});
   Vector guess = normal;
-  bool turns = false;
+  bool is_line = false; // about which the surface turns
   for (std::size_t smallest = smallest_neighborhood;;)
   {
     const Local_surface surface =
@@ -48,13 +48,13 @@ inline Local_surface fit_local_surface(const Surface_fit& fit, const Point& x, c
     if (!fit.settings.widen_between_lines)
       return surface;
     const std::size_t size = neighborhood.size();
-    turns = is_on_line(fit, surface) || (turns && is_on_bent_line(neighborhood, surface));
-    if (!turns && (size >= largest || !is_between_lines(fit, neighborhood, surface)))
+    is_line = is_on_line(fit, surface) || (is_line && is_on_bent_line(neighborhood, surface));
+    if (!is_line && (size >= largest || !is_between_lines(fit, neighborhood, surface)))
       return surface;
     if (size >= largest)
       return fit_curve();
     smallest = (std::min)(2 * size - 1, largest); // the center may be one of them
-    if (turns)                                    // and the guess may have turned with another fit
+    if (is_line)                                  // and the guess may have turned with another fit
       guess = NULL_VECTOR;
   }
 }

@@ -6,11 +6,10 @@
 #ifndef CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_FIT_TO_NEIGHBORS_H
 #define CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_FIT_TO_NEIGHBORS_H
 
-#include <CGAL/Curvature_aware_simplification_3/internal/Lanes.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Surface_fit.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/fit_quadric.h>
-#include <CGAL/Curvature_aware_simplification_3/internal/median.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/principal_axes.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/robust_weights.h>
 
 #include <algorithm>
 #include <cmath>
@@ -20,56 +19,6 @@
 namespace CGAL {
 namespace Curvature_aware_simplification_3 {
 namespace internal {
-
-// Nearly Welsch's weight exp(-e^2 / 2) with e in units of `scale` standard deviations, as (1 - e^2
-// / 32)^16, which takes less time. With 2.5, it has 97 % of the efficiency of least squares for
-// Gaussian noise, and hardly anything is left of what is 8 standard deviations away.
-class Robust_weight
-{
-public:
-  explicit Robust_weight(double spread, double scale = 2.5)
-    : m_factor(1. / (std::sqrt(32.) * scale * spread))
-  {}
-
-  double operator()(double residual) const
-  {
-    const double e = m_factor * residual;
-    const double base = (std::max)(0., 1. - e * e);
-    const double base2 = base * base, base4 = base2 * base2, base8 = base4 * base4;
-    return base8 * base8;
-  }
-
-private:
-  double m_factor;
-};
-
-// The heights of the neighbors over a surface
-inline void find_residuals(const Neighborhood& neighborhood, const Local_surface& surface,
-                           std::vector<double>& residuals)
-{
-  const std::vector<Neighborhood::Neighbor>& neighbors = neighborhood.neighbors;
-  residuals.resize(neighbors.size());
-  for (std::size_t k = 0; k < neighbors.size(); k += 2)
-  {
-    const std::size_t next = (std::min)(k + 1, neighbors.size() - 1); // the last may be alone
-    const Lanes residual =
-        surface.residual(Vector_lanes(neighbors[k].position, neighbors[next].position));
-    residuals[next] = residual[1];
-    residuals[k] = residual[0];
-  }
-}
-
-// Standard deviation of the residuals, from their median: no outlier and no second sheet moves it
-inline double spread_of(const std::vector<double>& residuals)
-{
-  static thread_local std::vector<double> sizes;
-  sizes.resize(residuals.size());
-  std::transform(residuals.begin(), residuals.end(), sizes.begin(),
-                 [](double residual) { return std::abs(residual); });
-  const double n = static_cast<double>(sizes.size());
-  // 1.4826: standard deviation over median of |x| for Gaussian x; the quadric used up 5 + 1
-  return 1.4826 * median(sizes) * std::sqrt(n / (std::max)(n - 5., 1.));
-}
 
 // Standard deviation of the height of a fit. `error` is what it would be for independent noise.
 // Smoothed points share their noise: a fit narrower than the smoothing is as good as they are, e =
@@ -88,8 +37,8 @@ inline double error_of_fit(const Surface_fit& fit, double error)
 // as well where it passes far from the ball: few neighbors on one side had all the weight, and
 // nothing is known of the center. Twice the radius is not far: so high is a plane in the ball over
 // a center on its border if the guessed normal is off by 60 degrees.
-inline bool fit_quadric(const Surface_fit& fit, const Neighborhood& neighborhood,
-                        Local_surface& surface)
+inline bool fit_trusted_quadric(const Surface_fit& fit, const Neighborhood& neighborhood,
+                                Local_surface& surface)
 {
   Local_surface fitted = surface;
   if (!fit_quadric(neighborhood, fit.noise.independent_level, fitted) ||
@@ -151,7 +100,7 @@ inline void reweight_and_fit(const Surface_fit& fit, bool starts_sample, int rou
     const Robust_weight weight(surface.spread);
     for (std::size_t i = 0; i < residuals.size(); ++i)
       neighborhood.neighbors[i].weight *= weight(residuals[i]);
-    if (!fit_quadric(fit, neighborhood, surface))
+    if (!fit_trusted_quadric(fit, neighborhood, surface))
       return;
     if (!fit.noise.is_visible)
       return; // a second round would tell nothing new

@@ -49,7 +49,7 @@ inline bool widen(const Surface_fit& fit, const Neighborhood& wide, double radiu
   Local_surface wider = surface;
   wider.radius = neighborhood.radius;
   wider.neighbors = neighborhood.size();
-  if (!fit_quadric(fit, neighborhood, wider) || !(wider.error < surface.error))
+  if (!fit_trusted_quadric(fit, neighborhood, wider) || !(wider.error < surface.error))
     return false;
   wider.move_to_foot_point();
   surface = wider;

@@ -57,8 +57,8 @@ std::vector<T> elements_at(const std::vector<std::size_t>& indices, const std::v
   return result;
 }
 
-// Those of some indices for which predicate(index) holds. For few indices and a predicate that takes
-// long: threads share them one by one, and not by blocks.
+// Those of some indices for which predicate(index) holds. For few indices and a predicate that
+// takes long: threads share them one by one, and not by blocks.
 template <typename ConcurrencyTag, typename Predicate>
 std::vector<std::size_t> those_where(const std::vector<std::size_t>& indices,
                                      const Predicate& predicate)

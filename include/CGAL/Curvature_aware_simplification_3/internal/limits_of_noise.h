@@ -9,7 +9,7 @@
 #include <CGAL/Curvature_aware_simplification_3/internal/Layer.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Neighbor_search.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Noise_probes.h>
-#include <CGAL/Curvature_aware_simplification_3/internal/turns_of_planes.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/tilts_of_planes.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -30,9 +30,9 @@ struct Plane_of_few_points
   double width_over_thickness; // at least; in a volume, it is 2.5 for both numbers
   double shown_part;           // of the noise
 
-  double limit(const Layer& layer, double turn) const
+  double limit(const Layer& layer, double tilt) const
   {
-    return turn <= largest_turn_of_planes && layer.is_broad() &&
+    return tilt <= largest_tilt_of_planes && layer.is_broad() &&
                    layer.width >= width_over_thickness * layer.thickness
                ? layer.thickness / shown_part
                : std::numeric_limits<double>::infinity();
@@ -46,17 +46,17 @@ template <typename ConcurrencyTag>
 std::vector<double>
 limits_of_noise(const Noise_probes& probes, const std::vector<std::size_t>& ranges,
                 const Neighbor_search& search, const std::vector<Layer>& layers_of_7,
-                const std::vector<double>& turns_of_7)
+                const std::vector<double>& tilts_of_7)
 {
   constexpr Plane_of_few_points plane_of_5{5, 3.55, 0.84}, plane_of_7{7, 3.3, 0.88};
   const std::vector<Layer> layers = median_layers<ConcurrencyTag>(
       probes, ranges, search, plane_of_5.number, Layer_around_plane());
-  const std::vector<double> turns =
-      median_turns<ConcurrencyTag>(probes, ranges, search, plane_of_5.number);
+  const std::vector<double> tilts =
+      median_tilts<ConcurrencyTag>(probes, ranges, search, plane_of_5.number);
   std::vector<double> limits(probes.of_range.size(), std::numeric_limits<double>::infinity());
   for (std::size_t range : ranges)
-    limits[range] = (std::min)(plane_of_5.limit(layers[range], turns[range]),
-                               plane_of_7.limit(layers_of_7[range], turns_of_7[range]));
+    limits[range] = (std::min)(plane_of_5.limit(layers[range], tilts[range]),
+                               plane_of_7.limit(layers_of_7[range], tilts_of_7[range]));
   return limits;
 }
 

@@ -34,29 +34,31 @@ struct Merged_point
   Point point;
 };
 
-// Of points within the distance r of copies, the one whose turn comes first is left, at the mean of
-// those within r of it, so that their errors are averaged. By random turns, some are left as well
-// where each point is within r of the next. Where a ball holds twice as many as were looked for - it
-// may reach into the next place - they are no copies but a dense part, and all are left as they are.
+// Each point has a random rank. Of points within the distance r of copies of it, the one with the
+// lowest rank is left, at the mean of those within r of it, so that their errors are averaged.
+// Since ranks are random, some are left as well where each point is within r of the next, and such
+// a chain does not become one point. Where a ball holds twice as many points as were looked for -
+// it may reach into the next place - they are no copies but a dense part, and all are left as they
+// are.
 inline Merged_point merged_point(std::size_t i, const std::vector<Point>& points,
                                  const Neighbor_search& search, const Copies_of_places& copies)
 {
-  const Counter_based_random turns(0, 0);
-  const std::uint64_t turn = turns.bits(i);
-  bool is_first = true;
+  const Counter_based_random ranks(0, 0);
+  const std::uint64_t rank = ranks.bits(i);
+  bool is_lowest = true;
   std::size_t number = 0;
   Vector sum(0., 0., 0.);
   search.for_each_within(
       points[i], copies.distance,
       [&](std::size_t j, const Point& p, double) {
-        is_first = is_first && turn <= turns.bits(j);
+        is_lowest = is_lowest && rank <= ranks.bits(j);
         sum = sum + (p - points[i]);
         ++number;
       },
       2 * copies.most);
   if (number > 2 * copies.most)
     return {true, points[i]};
-  return {is_first, points[i] + sum / static_cast<double>(number)};
+  return {is_lowest, points[i] + sum / static_cast<double>(number)};
 }
 
 // Leaves one point for all copies of a place, and returns how many points are less. The indices in

@@ -25,9 +25,9 @@ namespace CGAL {
 namespace Curvature_aware_simplification_3 {
 namespace internal {
 
-// The noise that a fourth of the ranges exceed whose layers tell it: all but the unknown ones, which
-// come in order. Nothing is known if these ranges are less than an eighth, which may be a part with
-// less noise.
+// The noise that a fourth of the ranges exceed whose layers tell it: all but the unknown ones,
+// which come in order. Nothing is known if these ranges are less than an eighth, which may be a
+// part with less noise.
 inline std::optional<double> upper_known_noise(const std::vector<Noise_of_range>& of_range,
                                                const std::vector<std::size_t>& unknown)
 {

@@ -25,8 +25,8 @@ namespace internal {
 // As many as a column of five holds besides any one of its points
 inline constexpr std::size_t directions_of_place = 4;
 
-// The directions from one of the points to its nearest, from the nearest on; null where there are no
-// more points
+// The directions from one of the points to its nearest, from the nearest on; null where there are
+// no more points
 inline std::array<Vector, directions_of_place> directions_to_nearest(const Neighbor_search& search,
                                                                      const Point& place)
 {
@@ -80,10 +80,10 @@ Common_axis common_axis(const std::vector<std::size_t>& indices, const Unit_vect
 // alone, oblique frames with noise of their distance are 2 times as far off if they are three; with
 // the nearest alone, ten that scatter by a twentieth of the noise 9 times.
 //
-// If directions are random in a plane, as on a line of a scan with noise, the difference is more than
-// 0.4 by chance in one of 3e4 ranges for 64 of them, exp(-64 * 0.4^2), and as rarely more than 0.2
-// for four times as many. With 0.25, the mean error of frames that scatter is up to 1.2 times as
-// large.
+// If directions are random in a plane, as on a line of a scan with noise, the difference is more
+// than 0.4 by chance in one of 3e4 ranges for 64 of them, exp(-64 * 0.4^2), and as rarely more than
+// 0.2 for four times as many. With 0.25, the mean error of frames that scatter is up to 1.2 times
+// as large.
 template <typename ConcurrencyTag>
 std::vector<Vector> parallel_axes(const Noise_probes& probes,
                                   const std::vector<std::size_t>& ranges,

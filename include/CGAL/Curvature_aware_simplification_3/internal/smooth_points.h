@@ -33,8 +33,8 @@ struct Smoothed_point
 };
 
 // Variance of the heights of the neighbors over the surface that was fitted to them: noise, and
-// shape that it missed. The point x that is smoothed does not count: it may be far off, and such are
-// to be moved.
+// shape that it missed. The point x that is smoothed does not count: it may be far off, and such
+// are to be moved.
 inline double variance_of_residuals(const Neighborhood& neighborhood, const Local_surface& surface,
                                     const Point& x)
 {
@@ -81,8 +81,8 @@ inline bool fit_to_smooth(const Surface_fit& fit, const Point& center, const Poi
   if (!(neighborhood.radius > 0.))
     return false;
   // The center is or was a noisy point itself: were the weights to fall within a few sigma, points
-  // with the same error would count most, and confirm it. Where noise is small against the distances
-  // of the points, they fall as in other fits.
+  // with the same error would count most, and confirm it. Where noise is small against the
+  // distances of the points, they fall as in other fits.
   neighborhood.weight_by_distance((std::max)(neighborhood.radius, 2. * radius));
   if (!fit_quadric_over_plane(neighborhood, fit.noise.level, surface) ||
       !(surface.error < fit.noise.level))

@@ -34,8 +34,8 @@ namespace internal {
 // points support these far ones, in neighborhoods of twice the radius.
 
 // On a surface, twice the radius of the k nearest points holds so many. In space, one point in a
-// hundred is as flat as that (kappa of 0.07): of so many neighbors, a quarter never is by chance;
-// of k, a third is for a few of 100,000 points.
+// hundred is as flat as points of surfaces are (kappa of 0.07 or less): among 4 k neighbors, a
+// quarter never is so by chance; among k, a third is, for a few of 100,000 points.
 inline std::size_t neighbors_within_twice_the_radius(std::size_t k)
 {
   return 4 * k;

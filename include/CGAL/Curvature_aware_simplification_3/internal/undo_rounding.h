@@ -23,9 +23,9 @@ namespace Curvature_aware_simplification_3 {
 namespace internal {
 
 // How far from p, in the plane of the levels, the surface leaves for the next level, which is `gap`
-// above (or below, if it is negative). Of the points nearest to p + 1.5 gap d, p itself is 1.5 |gap|
-// away, and one of the next level is nearer if its distance in the plane is less than sqrt(2) |gap|.
-// If there is none, or no next level, the distance is `unseen`.
+// above (or below, if it is negative). Of the points nearest to p + 1.5 gap d, p itself is 1.5
+// |gap| away, and one of the next level is nearer if its distance in the plane is less than sqrt(2)
+// |gap|. If there is none, or no next level, the distance is `unseen`.
 inline double distance_to_next_level(const Point& p, double gap, double unseen,
                                      const Depth_levels& levels, const Neighbor_search& search)
 {
