@@ -3,18 +3,18 @@
 #include <comparison/analytic_surfaces.h>
 #include <comparison/types.h>
 
-#include <CGAL/Curvature_aware_simplification_3/internal/Cloud.h>
-#include <CGAL/Curvature_aware_simplification_3/internal/Distinct_samples.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Scan.h>
-#include <CGAL/Curvature_aware_simplification_3/internal/features.h>
-#include <CGAL/Curvature_aware_simplification_3/internal/lattice_spacing.h>
-#include <CGAL/Curvature_aware_simplification_3/internal/read_parameters.h>
-#include <CGAL/Curvature_aware_simplification_3/internal/relax_on_surface.h>
-#include <CGAL/Curvature_aware_simplification_3/internal/relax_repeatedly.h>
-#include <CGAL/Curvature_aware_simplification_3/internal/sample_spacing.h>
-#include <CGAL/Curvature_aware_simplification_3/internal/sampling_density.h>
-#include <CGAL/Curvature_aware_simplification_3/internal/select_points.h>
-#include <CGAL/Curvature_aware_simplification_3/internal/shared_features.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/density/lattice_spacing.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/density/sampling_density.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/features/features.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/features/shared_features.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/input/Cloud.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/paper/relax_repeatedly.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/paper/sample_spacing.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/paper/select_points.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/parameters/read_parameters.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/samples/Distinct_samples.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/samples/relax_on_surface.h>
 #include <CGAL/pca_estimate_normals.h>
 
 #include <benchmark/benchmark.h>

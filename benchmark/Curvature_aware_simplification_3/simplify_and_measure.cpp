@@ -8,7 +8,7 @@
 #include <comparison/methods.h>
 #include <comparison/quadric_edge_collapse.h>
 
-#include <CGAL/Curvature_aware_simplification_3/internal/sample_spacing.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/paper/sample_spacing.h>
 #include <CGAL/IO/write_points.h>
 #include <CGAL/Real_timer.h>
 

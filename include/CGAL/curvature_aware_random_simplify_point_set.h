@@ -6,12 +6,12 @@
 #ifndef CGAL_CURVATURE_AWARE_RANDOM_SIMPLIFY_POINT_SET_H
 #define CGAL_CURVATURE_AWARE_RANDOM_SIMPLIFY_POINT_SET_H
 
-#include <CGAL/Curvature_aware_simplification_3/internal/Cloud.h>
-#include <CGAL/Curvature_aware_simplification_3/internal/Progress.h>
-#include <CGAL/Curvature_aware_simplification_3/internal/features.h>
-#include <CGAL/Curvature_aware_simplification_3/internal/input.h>
-#include <CGAL/Curvature_aware_simplification_3/internal/read_parameters.h>
-#include <CGAL/Curvature_aware_simplification_3/internal/select_points.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/features/features.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/input/Cloud.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/input/input.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/paper/select_points.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/parameters/read_parameters.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/tools/Progress.h>
 
 #include <CGAL/Named_function_parameters.h>
 

@@ -6,7 +6,7 @@
 #ifndef CGAL_CURVATURE_AWARE_SIMPLIFY_POINT_SET_H
 #define CGAL_CURVATURE_AWARE_SIMPLIFY_POINT_SET_H
 
-#include <CGAL/Curvature_aware_simplification_3/internal/Adaptive_settings.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/parameters/Adaptive_settings.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/simplify_point_set.h>
 #include <CGAL/Curvature_aware_simplification_report.h>
 

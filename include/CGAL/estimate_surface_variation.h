@@ -6,11 +6,11 @@
 #ifndef CGAL_ESTIMATE_SURFACE_VARIATION_H
 #define CGAL_ESTIMATE_SURFACE_VARIATION_H
 
-#include <CGAL/Curvature_aware_simplification_3/internal/Cloud.h>
-#include <CGAL/Curvature_aware_simplification_3/internal/Progress.h>
-#include <CGAL/Curvature_aware_simplification_3/internal/features.h>
-#include <CGAL/Curvature_aware_simplification_3/internal/input.h>
-#include <CGAL/Curvature_aware_simplification_3/internal/read_parameters.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/features/features.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/input/Cloud.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/input/input.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/parameters/read_parameters.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/tools/Progress.h>
 
 #include <CGAL/Named_function_parameters.h>
 

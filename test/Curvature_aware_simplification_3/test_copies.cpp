@@ -3,8 +3,8 @@
 #include "inputs.h"
 #include "surfaces.h"
 
-#include <CGAL/Curvature_aware_simplification_3/internal/Copies_of_places.h>
-#include <CGAL/Curvature_aware_simplification_3/internal/merge_copies.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/copies/Copies_of_places.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/copies/merge_copies.h>
 #include <CGAL/Curvature_aware_simplification_report.h>
 #include <CGAL/Random.h>
 

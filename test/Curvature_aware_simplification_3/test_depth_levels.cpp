@@ -2,10 +2,10 @@
 
 #include "inputs.h"
 
-#include <CGAL/Curvature_aware_simplification_3/internal/Cloud.h>
-#include <CGAL/Curvature_aware_simplification_3/internal/Depth_levels.h>
-#include <CGAL/Curvature_aware_simplification_3/internal/find_depth_levels.h>
-#include <CGAL/Curvature_aware_simplification_3/internal/undo_rounding.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/depth/Depth_levels.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/depth/find_depth_levels.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/depth/undo_rounding.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/input/Cloud.h>
 
 #include <gtest/gtest.h>
 

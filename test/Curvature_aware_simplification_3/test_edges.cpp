@@ -2,14 +2,14 @@
 
 #include "inputs.h"
 
-#include <CGAL/Curvature_aware_simplification_3/internal/Cloud.h>
-#include <CGAL/Curvature_aware_simplification_3/internal/Neighborhood.h>
-#include <CGAL/Curvature_aware_simplification_3/internal/Uninitialized_vector.h>
-#include <CGAL/Curvature_aware_simplification_3/internal/bent_points.h>
-#include <CGAL/Curvature_aware_simplification_3/internal/features.h>
-#include <CGAL/Curvature_aware_simplification_3/internal/fit_fold.h>
-#include <CGAL/Curvature_aware_simplification_3/internal/move_to_corners.h>
-#include <CGAL/Curvature_aware_simplification_3/internal/move_to_edges.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/features/bent_points.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/features/features.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/fitting/Neighborhood.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/input/Cloud.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/projection/fit_fold.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/projection/move_to_corners.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/projection/move_to_edges.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/tools/Uninitialized_vector.h>
 
 #include <gtest/gtest.h>
 

@@ -2,14 +2,14 @@
 
 #include "inputs.h"
 
-#include <CGAL/Curvature_aware_simplification_3/internal/Local_surface.h>
-#include <CGAL/Curvature_aware_simplification_3/internal/Neighbor_search.h>
-#include <CGAL/Curvature_aware_simplification_3/internal/Neighborhood.h>
-#include <CGAL/Curvature_aware_simplification_3/internal/Surface_border.h>
-#include <CGAL/Curvature_aware_simplification_3/internal/Surface_sample.h>
-#include <CGAL/Curvature_aware_simplification_3/internal/fit_local_surface.h>
-#include <CGAL/Curvature_aware_simplification_3/internal/lines_of_scan.h>
-#include <CGAL/Curvature_aware_simplification_3/internal/median.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/fitting/Local_surface.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/fitting/Neighborhood.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/fitting/Surface_border.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/fitting/fit_local_surface.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/fitting/lines_of_scan.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/samples/Surface_sample.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/tools/Neighbor_search.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/tools/median.h>
 
 #include <gtest/gtest.h>
 

@@ -2,11 +2,11 @@
 
 #include "inputs.h"
 
-#include <CGAL/Curvature_aware_simplification_3/internal/Cloud.h>
-#include <CGAL/Curvature_aware_simplification_3/internal/Frame.h>
-#include <CGAL/Curvature_aware_simplification_3/internal/box_of_most_points.h>
-#include <CGAL/Curvature_aware_simplification_3/internal/check_that_all_are_measurements.h>
-#include <CGAL/Curvature_aware_simplification_3/internal/equal_points.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/input/Cloud.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/input/Frame.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/input/box_of_most_points.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/input/check_that_all_are_measurements.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/input/equal_points.h>
 
 #include <gtest/gtest.h>
 

@@ -2,12 +2,12 @@
 
 #include "inputs.h"
 
-#include <CGAL/Curvature_aware_simplification_3/internal/Cloud.h>
-#include <CGAL/Curvature_aware_simplification_3/internal/Counter_based_random.h>
-#include <CGAL/Curvature_aware_simplification_3/internal/Curve_ranges.h>
-#include <CGAL/Curvature_aware_simplification_3/internal/index_selection.h>
-#include <CGAL/Curvature_aware_simplification_3/internal/loops.h>
-#include <CGAL/Curvature_aware_simplification_3/internal/sum_up.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/input/Cloud.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/tools/Counter_based_random.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/tools/Curve_ranges.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/tools/index_selection.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/tools/loops.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/tools/sum_up.h>
 
 #include <gtest/gtest.h>
 

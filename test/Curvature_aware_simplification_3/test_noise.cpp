@@ -2,14 +2,14 @@
 
 #include "inputs.h"
 
-#include <CGAL/Curvature_aware_simplification_3/internal/Cloud.h>
-#include <CGAL/Curvature_aware_simplification_3/internal/Neighbor_search.h>
-#include <CGAL/Curvature_aware_simplification_3/internal/Noise_levels.h>
-#include <CGAL/Curvature_aware_simplification_3/internal/columns_of_points.h>
-#include <CGAL/Curvature_aware_simplification_3/internal/limits_of_noise.h>
-#include <CGAL/Curvature_aware_simplification_3/internal/measure_noise.h>
-#include <CGAL/Curvature_aware_simplification_3/internal/median.h>
-#include <CGAL/Curvature_aware_simplification_3/internal/noise_around_quadrics.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/input/Cloud.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/noise/Noise_levels.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/noise/columns_of_points.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/noise/limits_of_noise.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/noise/measure_noise.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/noise/noise_around_quadrics.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/tools/Neighbor_search.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/tools/median.h>
 
 #include <gtest/gtest.h>
 

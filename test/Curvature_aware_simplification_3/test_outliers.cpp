@@ -3,12 +3,12 @@
 #include "inputs.h"
 
 #include <CGAL/Bbox_3.h>
-#include <CGAL/Curvature_aware_simplification_3/internal/Cloud.h>
-#include <CGAL/Curvature_aware_simplification_3/internal/Neighbor_search.h>
-#include <CGAL/Curvature_aware_simplification_3/internal/find_outliers.h>
-#include <CGAL/Curvature_aware_simplification_3/internal/leave_out_outliers.h>
-#include <CGAL/Curvature_aware_simplification_3/internal/shared_features.h>
-#include <CGAL/Curvature_aware_simplification_3/internal/sparse_surfaces.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/features/shared_features.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/input/Cloud.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/outliers/find_outliers.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/outliers/leave_out_outliers.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/outliers/sparse_surfaces.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/tools/Neighbor_search.h>
 
 #include <gtest/gtest.h>
 

@@ -2,15 +2,15 @@
 
 #include "inputs.h"
 
-#include <CGAL/Curvature_aware_simplification_3/internal/Cloud.h>
-#include <CGAL/Curvature_aware_simplification_3/internal/Curvature_weights.h>
-#include <CGAL/Curvature_aware_simplification_3/internal/Neighbor_search.h>
-#include <CGAL/Curvature_aware_simplification_3/internal/density_weights.h>
-#include <CGAL/Curvature_aware_simplification_3/internal/features.h>
-#include <CGAL/Curvature_aware_simplification_3/internal/read_parameters.h>
-#include <CGAL/Curvature_aware_simplification_3/internal/relax.h>
-#include <CGAL/Curvature_aware_simplification_3/internal/sample_spacing.h>
-#include <CGAL/Curvature_aware_simplification_3/internal/select_points.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/features/features.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/input/Cloud.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/paper/Curvature_weights.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/paper/density_weights.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/paper/relax.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/paper/sample_spacing.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/paper/select_points.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/parameters/read_parameters.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/tools/Neighbor_search.h>
 
 #include <gtest/gtest.h>
 

@@ -2,11 +2,11 @@
 
 #include "inputs.h"
 
-#include <CGAL/Curvature_aware_simplification_3/internal/Neighborhood.h>
-#include <CGAL/Curvature_aware_simplification_3/internal/Sample_neighbors.h>
-#include <CGAL/Curvature_aware_simplification_3/internal/correct_by_points.h>
-#include <CGAL/Curvature_aware_simplification_3/internal/denoise_samples.h>
-#include <CGAL/Curvature_aware_simplification_3/internal/relax_on_surface.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/fitting/Neighborhood.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/projection/correct_by_points.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/projection/denoise_samples.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/samples/Sample_neighbors.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/samples/relax_on_surface.h>
 
 #include <gtest/gtest.h>
 

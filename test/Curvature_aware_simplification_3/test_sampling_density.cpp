@@ -2,19 +2,19 @@
 
 #include "inputs.h"
 
-#include <CGAL/Curvature_aware_simplification_3/internal/Cloud.h>
-#include <CGAL/Curvature_aware_simplification_3/internal/Curve_ranges.h>
-#include <CGAL/Curvature_aware_simplification_3/internal/Neighbor_search.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/Scan.h>
-#include <CGAL/Curvature_aware_simplification_3/internal/Uninitialized_vector.h>
-#include <CGAL/Curvature_aware_simplification_3/internal/features.h>
-#include <CGAL/Curvature_aware_simplification_3/internal/lattice_spacing.h>
-#include <CGAL/Curvature_aware_simplification_3/internal/median.h>
-#include <CGAL/Curvature_aware_simplification_3/internal/sampling_density.h>
-#include <CGAL/Curvature_aware_simplification_3/internal/scale_to_number.h>
-#include <CGAL/Curvature_aware_simplification_3/internal/select_along_curve.h>
-#include <CGAL/Curvature_aware_simplification_3/internal/surface_curvature.h>
-#include <CGAL/Curvature_aware_simplification_3/internal/surface_pieces.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/density/lattice_spacing.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/density/sampling_density.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/density/scale_to_number.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/density/surface_curvature.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/density/surface_pieces.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/features/features.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/input/Cloud.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/samples/select_along_curve.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/tools/Curve_ranges.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/tools/Neighbor_search.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/tools/Uninitialized_vector.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/tools/median.h>
 
 #include <Eigen/Core>
 #include <Eigen/Eigenvalues>

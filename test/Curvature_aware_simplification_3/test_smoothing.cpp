@@ -2,16 +2,16 @@
 
 #include "inputs.h"
 
-#include <CGAL/Curvature_aware_simplification_3/internal/Cloud.h>
-#include <CGAL/Curvature_aware_simplification_3/internal/Neighbor_search.h>
-#include <CGAL/Curvature_aware_simplification_3/internal/Uninitialized_vector.h>
-#include <CGAL/Curvature_aware_simplification_3/internal/bias_of_noise.h>
-#include <CGAL/Curvature_aware_simplification_3/internal/features.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/features/features.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/input/Cloud.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/noise/bias_of_noise.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/simplify_point_set.h>
-#include <CGAL/Curvature_aware_simplification_3/internal/smooth_points.h>
-#include <CGAL/Curvature_aware_simplification_3/internal/smoothing_radii.h>
-#include <CGAL/Curvature_aware_simplification_3/internal/thin_dense_noise.h>
-#include <CGAL/Curvature_aware_simplification_3/internal/thin_points.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/smoothing/smooth_points.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/smoothing/smoothing_radii.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/smoothing/thin_dense_noise.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/smoothing/thin_points.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/tools/Neighbor_search.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/tools/Uninitialized_vector.h>
 
 #include <gtest/gtest.h>
 

@@ -2,7 +2,7 @@
 
 #include "inputs.h"
 
-#include <CGAL/Curvature_aware_simplification_3/internal/features.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/features/features.h>
 #include <CGAL/estimate_surface_variation.h>
 
 #include <gtest/gtest.h>

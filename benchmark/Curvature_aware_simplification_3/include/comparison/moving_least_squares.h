@@ -3,7 +3,7 @@
 
 #include <comparison/types.h>
 
-#include <CGAL/Curvature_aware_simplification_3/internal/Neighbor_search.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/tools/Neighbor_search.h>
 
 #include <Eigen/Dense>
 

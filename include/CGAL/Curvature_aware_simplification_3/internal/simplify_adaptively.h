@@ -6,23 +6,23 @@
 #ifndef CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_SIMPLIFY_ADAPTIVELY_H
 #define CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_SIMPLIFY_ADAPTIVELY_H
 
-#include <CGAL/Curvature_aware_simplification_3/internal/Adaptive_settings.h>
-#include <CGAL/Curvature_aware_simplification_3/internal/Cloud.h>
-#include <CGAL/Curvature_aware_simplification_3/internal/Curve_ranges.h>
-#include <CGAL/Curvature_aware_simplification_3/internal/Distinct_samples.h>
-#include <CGAL/Curvature_aware_simplification_3/internal/Frame.h>
-#include <CGAL/Curvature_aware_simplification_3/internal/Parameters.h>
-#include <CGAL/Curvature_aware_simplification_3/internal/Progress.h>
-#include <CGAL/Curvature_aware_simplification_3/internal/Searchable_points.h>
-#include <CGAL/Curvature_aware_simplification_3/internal/Stopwatch.h>
-#include <CGAL/Curvature_aware_simplification_3/internal/Surface_fit.h>
-#include <CGAL/Curvature_aware_simplification_3/internal/Surface_sample.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/clean_scan.h>
-#include <CGAL/Curvature_aware_simplification_3/internal/index_selection.h>
-#include <CGAL/Curvature_aware_simplification_3/internal/project_samples.h>
-#include <CGAL/Curvature_aware_simplification_3/internal/relax_on_surface.h>
-#include <CGAL/Curvature_aware_simplification_3/internal/select_along_curve.h>
-#include <CGAL/Curvature_aware_simplification_3/internal/select_samples.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/fitting/Surface_fit.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/input/Cloud.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/input/Frame.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/input/Searchable_points.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/parameters/Adaptive_settings.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/parameters/Parameters.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/projection/project_samples.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/samples/Distinct_samples.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/samples/Surface_sample.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/samples/relax_on_surface.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/samples/select_along_curve.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/samples/select_samples.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/tools/Curve_ranges.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/tools/Progress.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/tools/Stopwatch.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/tools/index_selection.h>
 
 #include <CGAL/Curvature_aware_simplification_report.h>
 
@@ -53,8 +53,10 @@ Distinct_samples select_without_moving(const std::vector<Point>& points,
 //   attraction by points (eq. 8, first term)   place_on_surface(), a fit to them
 //   repulsion by samples (eq. 8, second term)  relax_on_surface(), in the tangent plane
 //
-// and project_samples() for the last fit. The cloud is taken, since each stage lets go of what no
-// later one needs.
+// and project_samples() for the last fit. Each stage has a folder, in the order of the data:
+// input/, depth/, copies/, features/, outliers/, noise/, smoothing/, density/, samples/,
+// projection/; they share fitting/ and tools/. The literal method is in paper/. The cloud is taken,
+// since each stage lets go of what no later one needs.
 template <typename ConcurrencyTag, typename DiagonalizeTraits>
 Distinct_samples simplify_adaptively(Cloud cloud, const Parameters& parameters,
                                      const Adaptive_settings& settings, const Progress& progress,

@@ -6,14 +6,14 @@
 #ifndef CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_SIMPLIFY_POINT_SET_H
 #define CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_SIMPLIFY_POINT_SET_H
 
-#include <CGAL/Curvature_aware_simplification_3/internal/Adaptive_settings.h>
-#include <CGAL/Curvature_aware_simplification_3/internal/Cloud.h>
-#include <CGAL/Curvature_aware_simplification_3/internal/Progress.h>
-#include <CGAL/Curvature_aware_simplification_3/internal/Stopwatch.h>
-#include <CGAL/Curvature_aware_simplification_3/internal/input.h>
-#include <CGAL/Curvature_aware_simplification_3/internal/read_parameters.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/input/Cloud.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/input/input.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/paper/simplify_as_in_the_paper.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/parameters/Adaptive_settings.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/parameters/read_parameters.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/simplify_adaptively.h>
-#include <CGAL/Curvature_aware_simplification_3/internal/simplify_as_in_the_paper.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/tools/Progress.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/tools/Stopwatch.h>
 #include <CGAL/Curvature_aware_simplification_report.h>
 
 #include <CGAL/Named_function_parameters.h>

@@ -7,7 +7,7 @@
 #include <comparison/baselines/search.h>
 #include <comparison/types.h>
 
-#include <CGAL/Curvature_aware_simplification_3/internal/loops.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/tools/loops.h>
 
 #include <algorithm>
 #include <cstddef>

@@ -6,8 +6,8 @@
 #include <comparison/baselines/random_subset.h>
 #include <comparison/types.h>
 
-#include <CGAL/Curvature_aware_simplification_3/internal/Neighbor_search.h>
-#include <CGAL/Curvature_aware_simplification_3/internal/loops.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/tools/Neighbor_search.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/tools/loops.h>
 
 #include <CGAL/number_type_config.h>
 

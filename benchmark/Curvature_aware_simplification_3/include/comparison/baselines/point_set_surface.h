@@ -4,7 +4,7 @@
 #include <comparison/baselines/principal_axes.h>
 #include <comparison/types.h>
 
-#include <CGAL/Curvature_aware_simplification_3/internal/Neighbor_search.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/tools/Neighbor_search.h>
 
 #include <Eigen/Dense>
 

@@ -3,7 +3,7 @@
 
 #include <comparison/types.h>
 
-#include <CGAL/Curvature_aware_simplification_3/internal/Counter_based_random.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/tools/Counter_based_random.h>
 
 #include <algorithm>
 #include <cmath>

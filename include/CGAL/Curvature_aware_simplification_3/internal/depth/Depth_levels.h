@@ -1,0 +1,129 @@
+// Copyright (c) 2026 The authors of Curvature_aware_simplification_3.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_DEPTH_DEPTH_LEVELS_H
+#define CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_DEPTH_DEPTH_LEVELS_H
+
+#include <CGAL/Curvature_aware_simplification_3/internal/tools/Computation_kernel.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/tools/loops.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/tools/median.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/tools/sort.h>
+
+#include <CGAL/Origin.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <iterator>
+#include <vector>
+
+namespace CGAL {
+namespace Curvature_aware_simplification_3 {
+namespace internal {
+
+// Parallel planes that hold all points, as where depth was rounded to steps: their heights along a
+// direction, in increasing order
+struct Depth_levels
+{
+  Vector direction = NULL_VECTOR;
+  double tolerance = 0.; // of a point to the height of its level
+  std::vector<double> heights;
+  std::vector<double> gap_above; // to the next level; 0 where there is none, or a jump of the depth
+
+  double height(const Point& p) const { return (p - ORIGIN) * direction; }
+  double gap_below(std::size_t level) const { return level > 0 ? gap_above[level - 1] : 0.; }
+
+  // The larger one of the steps from the level at the height or below it, to its neighbors
+  double step_at(double height) const
+  {
+    const auto above = std::upper_bound(heights.begin(), heights.end(), height);
+    const std::size_t level =
+        above == heights.begin() ? 0 : static_cast<std::size_t>(above - heights.begin()) - 1;
+    return (std::max)(gap_above[level], gap_below(level));
+  }
+
+  // The median of all, or 0 if there are none
+  double typical_step() const
+  {
+    std::vector<double> steps;
+    std::copy_if(gap_above.begin(), gap_above.end(), std::back_inserter(steps),
+                 [](double gap) { return gap > 0.; });
+    return steps.empty() ? 0. : median(steps);
+  }
+
+  // The level that holds the height, or the number of levels
+  std::size_t level_of(double height) const
+  {
+    const auto next = std::lower_bound(heights.begin(), heights.end(), height - tolerance);
+    return next != heights.end() && *next <= height + tolerance
+               ? static_cast<std::size_t>(next - heights.begin())
+               : heights.size();
+  }
+};
+
+// Steps that are much larger than those around are no rounding: there, the depth jumps from one
+// part to another. Steps may be that different if depth was rounded twice, as to the steps of a
+// sensor and to millimeters.
+inline std::vector<double> gaps_without_jumps(const std::vector<double>& heights)
+{
+  constexpr std::size_t gaps_around = 8; // on either side: a sensor's steps grow with the depth
+  constexpr double largest = 2.;         // over the median
+  std::vector<double> gaps;
+  for (std::size_t i = 1; i < heights.size(); ++i)
+    gaps.push_back(heights[i] - heights[i - 1]);
+  std::vector<double> result;
+  for (std::size_t i = 0; i < gaps.size(); ++i)
+  {
+    const auto at = [&](std::size_t j) { return gaps.begin() + static_cast<std::ptrdiff_t>(j); };
+    std::vector<double> around(at(i - (std::min)(i, gaps_around)),
+                               at((std::min)(i + gaps_around + 1, gaps.size())));
+    result.push_back(gaps[i] <= largest * median(around) ? gaps[i] : 0.);
+  }
+  result.push_back(0.); // above the last one
+  return result;
+}
+
+// The levels along a direction that hold several points each. Empty where they hold too few of all,
+// or are too few: then, they may be faces of a part. Smooth surfaces, however dense, are one level
+// at most, since then the heights of all points follow each other closely.
+template <typename ConcurrencyTag>
+Depth_levels levels_along(const Vector& direction, double tolerance,
+                          const std::vector<Point>& points)
+{
+  constexpr std::size_t fewest_points = 8, fewest_levels = 10;
+  // The others may be outliers, or on the fronts of stairs: where a surface is 10 degrees oblique,
+  // steps are 5.7 times as wide as high, and fronts have a seventh of the points. With 0.8, 34 of
+  // 360 clean stairs are taken for levels, with 0.9 none.
+  constexpr double least_share = 0.9;
+
+  Depth_levels levels;
+  levels.direction = direction;
+  levels.tolerance = tolerance;
+  std::vector<double> heights(points.size());
+  for_each_index<ConcurrencyTag>(0, points.size(),
+                                 [&](std::size_t i) { heights[i] = levels.height(points[i]); });
+  sort<ConcurrencyTag>(heights);
+  std::size_t points_on_levels = 0;
+  for (std::size_t begin = 0, end = 0; begin < heights.size(); begin = end)
+  {
+    for (end = begin + 1; end < heights.size() && heights[end] - heights[end - 1] <= tolerance;)
+      ++end;
+    if (end - begin >= fewest_points)
+    {
+      levels.heights.push_back(heights[begin + (end - begin) / 2]);
+      points_on_levels += end - begin;
+    }
+  }
+  if (levels.heights.size() < fewest_levels ||
+      static_cast<double>(points_on_levels) < least_share * static_cast<double>(points.size()))
+    return Depth_levels();
+  levels.gap_above = gaps_without_jumps(levels.heights);
+  return levels;
+}
+
+} // namespace internal
+} // namespace Curvature_aware_simplification_3
+} // namespace CGAL
+
+#endif // CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_DEPTH_DEPTH_LEVELS_H

@@ -1,0 +1,114 @@
+// Copyright (c) 2026 The authors of Curvature_aware_simplification_3.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_DEPTH_UNDO_ROUNDING_H
+#define CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_DEPTH_UNDO_ROUNDING_H
+
+#include <CGAL/Curvature_aware_simplification_3/internal/depth/Depth_levels.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/depth/find_depth_levels.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/input/Searchable_points.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/noise/Noise_levels.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/tools/loops.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <memory>
+#include <vector>
+
+namespace CGAL {
+namespace Curvature_aware_simplification_3 {
+namespace internal {
+
+// How far from p, in the plane of the levels, the surface leaves for the next level, which is `gap`
+// above (or below, if it is negative). Of the points nearest to p + 1.5 gap d, p itself is 1.5
+// |gap| away, and one of the next level is nearer if its distance in the plane is less than sqrt(2)
+// |gap|. If there is none, or no next level, the distance is `unseen`.
+inline double distance_to_next_level(const Point& p, double gap, double unseen,
+                                     const Depth_levels& levels, const Neighbor_search& search)
+{
+  if (gap == 0.)
+    return unseen;
+  double distance = unseen;
+  search.for_each_nearest(
+      p + (1.5 * gap) * levels.direction, 1, [&](std::size_t, const Point& q, double) {
+        const Vector v = q - p;
+        const double height = v * levels.direction;
+        if (std::abs(height) > levels.tolerance && (height > 0.) == (gap > 0.))
+          distance =
+              (std::min)(unseen, std::sqrt((std::max)(v.squared_length() - height * height, 0.)));
+      });
+  return distance;
+}
+
+// How much the depth of p was rounded down, as where the surface is a plane: between its borders
+// with the levels below and above, depth grows by one gap, and is halfway between the levels at
+// both. A border that is not seen is taken to be as far as the larger step lets see: where neither
+// is, nothing is known, and it is 0.
+inline double rounded_away(const Point& p, const Depth_levels& levels,
+                           const Neighbor_search& search)
+{
+  const std::size_t level = levels.level_of(levels.height(p));
+  if (level == levels.heights.size())
+    return 0.; // an outlier
+  const double below = levels.gap_below(level), above = levels.gap_above[level];
+  if (!(below > 0. || above > 0.))
+    return 0.;
+  const double unseen = std::sqrt(2.) * (std::max)(below, above);
+  const double to_below = distance_to_next_level(p, -below, unseen, levels, search);
+  const double to_above = distance_to_next_level(p, above, unseen, levels, search);
+  // Steps that are less than half as wide as high are taken for wider: their borders may overlap.
+  const double width = (std::max)(to_below + to_above, (std::max)(below, above) / 2.);
+  // Points of two levels at the same place in their plane do not meet halfway.
+  constexpr double most = 0.49;
+  const double part = (std::clamp)((to_below - to_above) / (2. * width), -most, most);
+  return part * (part > 0. ? above : below);
+}
+
+// Moves points whose depth was rounded to steps to where they were before, as far as the borders of
+// the steps tell. Without that, steps look like flat faces with sharp edges. Returns the steps. O(n
+// log n)
+template <typename ConcurrencyTag>
+Depth_levels undo_rounding(Searchable_points& cloud)
+{
+  std::vector<Point>& points = cloud.points;
+  Depth_levels levels =
+      find_depth_levels<ConcurrencyTag>(points, *cloud.search, cloud.coordinate_error);
+  if (levels.heights.empty())
+    return levels;
+  // the search has copies of the points, which stay where they are
+  for_each_index<ConcurrencyTag>(0, points.size(), [&](std::size_t i) {
+    points[i] = points[i] + rounded_away(points[i], levels, *cloud.search) * levels.direction;
+  });
+  cloud.rebuild_search<ConcurrencyTag>();
+  return levels;
+}
+
+// The noise that rounding leaves, a third of what it caused (the standard deviation of what is
+// rounded away is 0.29 steps): neighbors share it, so that those who measure noise do not see it.
+// With 0.05 or 0.15 instead of 0.1, the mean error of single frames of a camera is 2 % larger;
+// without, 14 %.
+template <typename ConcurrencyTag>
+void allow_for_rounding(Noise_levels& noise, const std::vector<Point>& points,
+                        const Depth_levels& levels)
+{
+  constexpr double error_in_steps = 0.1;
+  for_each_index<ConcurrencyTag>(0, noise.of_range.size(), [&](std::size_t range) {
+    const std::size_t begin = noise.first_point[range], end = noise.first_point[range + 1];
+    if (begin == end)
+      return;
+    const double height = levels.height(points[begin + (end - begin) / 2]);
+    const double error = error_in_steps * levels.step_at(height);
+    Noise& here = noise.of_range[range];
+    here.level = (std::max)(here.level, error);
+    here.independent_level = (std::max)(here.independent_level, error);
+  });
+}
+
+} // namespace internal
+} // namespace Curvature_aware_simplification_3
+} // namespace CGAL
+
+#endif // CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_DEPTH_UNDO_ROUNDING_H

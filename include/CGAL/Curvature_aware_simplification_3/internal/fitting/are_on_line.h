@@ -1,0 +1,36 @@
+// Copyright (c) 2026 The authors of Curvature_aware_simplification_3.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_FITTING_ARE_ON_LINE_H
+#define CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_FITTING_ARE_ON_LINE_H
+
+#include <CGAL/Curvature_aware_simplification_3/internal/fitting/Neighborhood.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/fitting/principal_axes.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/tools/Neighbor_search.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+namespace CGAL {
+namespace Curvature_aware_simplification_3 {
+namespace internal {
+
+// Whether the few points next to a place are on a line, of a scan or of a column: the width of five
+// random points across their line is half of their length, and a tenth for the vertices of long
+// triangles.
+inline bool are_on_line(const Neighbor_search& search, const Point& place, std::size_t few)
+{
+  static thread_local Neighborhood neighborhood;
+  neighborhood.collect(search, place, few);
+  const Eigen::Vector3d lambda = eigenvalues(covariance_sums(neighborhood));
+  return std::sqrt((std::max)(lambda(1), 0.) / lambda(2)) < 0.05;
+}
+
+} // namespace internal
+} // namespace Curvature_aware_simplification_3
+} // namespace CGAL
+
+#endif // CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_FITTING_ARE_ON_LINE_H

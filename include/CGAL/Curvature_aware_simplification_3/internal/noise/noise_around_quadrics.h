@@ -1,0 +1,135 @@
+// Copyright (c) 2026 The authors of Curvature_aware_simplification_3.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_NOISE_NOISE_AROUND_QUADRICS_H
+#define CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_NOISE_NOISE_AROUND_QUADRICS_H
+
+#include <CGAL/Curvature_aware_simplification_3/internal/noise/Layer.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/noise/Noise_of_range.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/noise/Noise_probes.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/noise/Shown_noise.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/noise/columns_of_points.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/parameters/Adaptive_settings.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/tools/Neighbor_search.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/tools/median.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <iterator>
+#include <optional>
+#include <vector>
+
+namespace CGAL {
+namespace Curvature_aware_simplification_3 {
+namespace internal {
+
+// The noise that a fourth of the ranges exceed whose layers tell it: all but the unknown ones,
+// which come in order. Nothing is known if these ranges are less than an eighth, which may be a
+// part with less noise.
+inline std::optional<double> upper_known_noise(const std::vector<Noise_of_range>& of_range,
+                                               const std::vector<std::size_t>& unknown)
+{
+  std::vector<double> known;
+  for (std::size_t range = 0; range < of_range.size(); ++range)
+    if (!std::binary_search(unknown.begin(), unknown.end(), range))
+      known.push_back(of_range[range].noise.level);
+  if (8 * known.size() < of_range.size())
+    return std::nullopt;
+  const auto upper = known.begin() + static_cast<std::ptrdiff_t>(3 * known.size() / 4);
+  std::nth_element(known.begin(), upper, known.end());
+  return *upper;
+}
+
+// Limits the noise of ranges of which no layer tells it, to `most` and to what others have. A layer
+// that is up to twice as thick as the noise of those is a thin part with that noise. What is
+// thicker is not: it may be noise that is wider than any layer shows. With 1.6 and 2.5, errors are
+// the same to 1 %.
+inline void limit_unknown_noise(const std::vector<std::size_t>& unknown, double most,
+                                std::vector<Noise_of_range>& of_range)
+{
+  constexpr double thin_part = 2.;
+  const std::optional<double> upper = upper_known_noise(of_range, unknown);
+  for (std::size_t range : unknown)
+  {
+    Shown_noise& noise = of_range[range].noise;
+    noise.limit = (std::min)(noise.limit, most);
+    if (upper && noise.level < thin_part * *upper)
+      noise.limit = (std::min)(noise.limit, *upper);
+  }
+}
+
+// The noise of each range that layers around quadrics show.
+//
+// Where no k up to 544 tells it, the noise is all there is to see, and sigma is the thickness; but
+// that may be of a thin part, and so it is limited: by the median of all, and by what is known of
+// others. If the points end before for most ranges, they are too few to tell noise from shape, and
+// are taken as they are.
+template <typename ConcurrencyTag>
+std::vector<Shown_noise> noise_around_quadrics(const Noise_probes& probes,
+                                               const Neighbor_search& search,
+                                               const std::vector<Shown_noise>& around_planes,
+                                               const Adaptive_settings& settings)
+{
+  const auto layers = [&](const std::vector<std::size_t>& ranges, std::size_t k) {
+    return median_layers<ConcurrencyTag>(probes, ranges, search, k, Layer_around_quadric());
+  };
+
+  std::vector<std::size_t> unknown = all_ranges(probes);
+  std::vector<Noise_of_range> of_range(unknown.size());
+  std::vector<Vector> axes;
+  for (const Shown_noise& noise : around_planes)
+    axes.push_back(noise.axis);
+  std::size_t k = Noise_of_range::smallest;
+  std::vector<Layer> inner = layers(unknown, k / 2), narrow = layers(unknown, k);
+  for (; !unknown.empty() && k <= Noise_of_range::largest && 2 * k <= search.size(); k *= 2)
+  {
+    std::vector<Layer> wide = layers(unknown, 2 * k);
+    // where k points hold too few columns, they show a plane along these and no noise
+    std::vector<std::size_t> in_columns;
+    std::copy_if(unknown.begin(), unknown.end(), std::back_inserter(in_columns),
+                 [&](std::size_t range) { return around_planes[range].is_in_columns; });
+    const std::vector<Column> columns =
+        median_columns<ConcurrencyTag>(probes, in_columns, axes, search, k);
+    for (std::size_t range : in_columns)
+      if (columns[range].is_one_of_few(k))
+        of_range[range].expect_columns(columns[range].radius, 2 * k);
+    std::vector<std::size_t> still_unknown;
+    for (std::size_t range : unknown)
+      if (!of_range[range].learn_from(k, inner[range], narrow[range], wide[range],
+                                      around_planes[range], settings))
+        still_unknown.push_back(range);
+    unknown.swap(still_unknown);
+    inner.swap(narrow);
+    narrow.swap(wide);
+  }
+  // where the points end before larger layers can tell
+  const auto waits = [&](std::size_t range) { return of_range[range].unconfirmed.has_value(); };
+  for (std::size_t range : unknown)
+    if (waits(range))
+      of_range[range].take(*of_range[range].unconfirmed);
+  unknown.erase(std::remove_if(unknown.begin(), unknown.end(), waits), unknown.end());
+
+  const bool are_too_few = k <= Noise_of_range::largest && 2 * unknown.size() >= of_range.size();
+  std::vector<double> levels;
+  for (const Noise_of_range& here : of_range)
+    levels.push_back(here.noise.level);
+  const double most = are_too_few ? 0. : median(levels);
+  const auto is_doubtful = [&](std::size_t range) { return of_range[range].doubtful.has_value(); };
+  for (std::size_t range : unknown)
+    if (is_doubtful(range))
+      of_range[range].take(*of_range[range].doubtful);
+  unknown.erase(std::remove_if(unknown.begin(), unknown.end(), is_doubtful), unknown.end());
+  limit_unknown_noise(unknown, most, of_range);
+  std::vector<Shown_noise> noise;
+  for (const Noise_of_range& here : of_range)
+    noise.push_back(here.noise);
+  return noise;
+}
+
+} // namespace internal
+} // namespace Curvature_aware_simplification_3
+} // namespace CGAL
+
+#endif // CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_NOISE_NOISE_AROUND_QUADRICS_H

@@ -1,0 +1,58 @@
+// Copyright (c) 2026 The authors of Curvature_aware_simplification_3.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_NOISE_TILTS_OF_PLANES_H
+#define CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_NOISE_TILTS_OF_PLANES_H
+
+#include <CGAL/Curvature_aware_simplification_3/internal/fitting/Neighborhood.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/fitting/principal_axes.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/noise/Noise_probes.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/tools/Neighbor_search.h>
+
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Curvature_aware_simplification_3 {
+namespace internal {
+
+// Planes through few points that are tilted by more (the sine of the angle to the plane of many) do
+// not lie in the surface. Noise turns planes through 5 and 7 points by 0.25 to 0.45, the other side
+// of a thin part by 0.2 to 0.6. Planes through two columns of points, or through points on one line
+// of a scan with noise, stand on the surface, at 0.65 to 1, and show no noise.
+inline constexpr double largest_tilt_of_planes = 0.6;
+
+// The sine of the angle between the planes through the `few` and the `many` points that are nearest
+// to a place
+inline double tilt_of_plane(const Neighbor_search& search, const Point& place, std::size_t few,
+                            std::size_t many)
+{
+  static thread_local Neighborhood neighborhood;
+  neighborhood.collect(search, place, few);
+  const Vector normal = plane_normal(neighborhood);
+  neighborhood.collect(search, place, many);
+  return sine_of_angle(normal, plane_normal(neighborhood));
+}
+
+// The median tilt of the planes through the `few` nearest points, of some ranges
+template <typename ConcurrencyTag>
+std::vector<double> median_tilts(const Noise_probes& probes, const std::vector<std::size_t>& ranges,
+                                 const Neighbor_search& search, std::size_t few)
+{
+  constexpr std::size_t many = 28; // between two rings and three
+  const std::vector<double> tilts = at_probes<ConcurrencyTag>(probes, ranges, [&](std::size_t i) {
+    return tilt_of_plane(search, probes.points[i], few, many);
+  });
+  std::vector<double> medians(probes.of_range.size(), 0.);
+  for (std::size_t range : ranges)
+    medians[range] = median_of(probes.of_range[range], [&](std::size_t i) { return tilts[i]; });
+  return medians;
+}
+
+} // namespace internal
+} // namespace Curvature_aware_simplification_3
+} // namespace CGAL
+
+#endif // CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_NOISE_TILTS_OF_PLANES_H
