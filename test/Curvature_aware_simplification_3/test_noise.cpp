@@ -371,8 +371,7 @@ TEST(Noise_of_range, is_confirmed_by_layers_that_stay_as_thick)
   const Layer standing = {0.1, 4., 9., 0.}, lying = {1., 8., 11., 0.}, larger = {1., 12., 13., 0.},
               shape = {2., 12., 13., 0.};
   const Adaptive_settings settings;
-  Shown_noise nothing;
-  nothing.is_reliable = false;
+  const Noise_around_planes nothing;
   {
     Noise_of_range range;
     EXPECT_FALSE(range.learn_from(17, standing, standing, lying, nothing, settings));
@@ -389,7 +388,8 @@ TEST(Noise_of_range, is_confirmed_by_layers_that_stay_as_thick)
     EXPECT_FALSE(range.noise.is_steady);
   }
   // planes that show much less are asked for two sizes as well; others are not
-  Shown_noise planes;
+  Noise_around_planes planes;
+  planes.is_known = planes.is_reliable = true;
   planes.level = 0.1;
   Noise_of_range range;
   EXPECT_FALSE(range.learn_from(34, lying, lying, larger, planes, settings));

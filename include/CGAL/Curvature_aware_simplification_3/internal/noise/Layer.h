@@ -43,15 +43,6 @@ struct Layer
   bool is_broad() const { return are_broad(width, length); }
 };
 
-// Whether the thickness jumps when a layer grows from k to 2 k points: on clean shapes, it grows by
-// a factor of 1.4 to 2.6. Then the k points may be too few, as in one column or on one line of a
-// scan.
-inline bool jumps(const Layer& narrow, const Layer& wide)
-{
-  constexpr double jump = 3.;
-  return wide.thickness > jump * narrow.thickness;
-}
-
 // The thickness from a sum of squared residuals of n points over a fitted surface, such that of
 // Gaussian noise, half of the fits show more and half less: the median of chi^2 with d degrees of
 // freedom is about d (1 - 2 / (9 d))^3 (Wilson and Hilferty 1931).

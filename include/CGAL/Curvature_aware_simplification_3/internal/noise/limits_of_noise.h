@@ -8,7 +8,7 @@
 
 #include <CGAL/Curvature_aware_simplification_3/internal/noise/Layer.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/noise/Noise_probes.h>
-#include <CGAL/Curvature_aware_simplification_3/internal/noise/tilts_of_planes.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/noise/Planes.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/tools/Neighbor_search.h>
 
 #include <algorithm>
@@ -43,20 +43,17 @@ struct Plane_of_few_points
 // which are known already, show it; infinity elsewhere, and where they do not. Fewer points see
 // less of the other side of a thin part, but tell less of the noise.
 template <typename ConcurrencyTag>
-std::vector<double>
-limits_of_noise(const Noise_probes& probes, const std::vector<std::size_t>& ranges,
-                const Neighbor_search& search, const std::vector<Layer>& layers_of_7,
-                const std::vector<double>& tilts_of_7)
+std::vector<double> limits_of_noise(const Noise_probes& probes,
+                                    const std::vector<std::size_t>& ranges,
+                                    const Neighbor_search& search, const Planes& planes_of_7)
 {
   constexpr Plane_of_few_points plane_of_5{5, 3.55, 0.84}, plane_of_7{7, 3.3, 0.88};
-  const std::vector<Layer> layers = median_layers<ConcurrencyTag>(
-      probes, ranges, search, plane_of_5.number, Layer_around_plane());
-  const std::vector<double> tilts =
-      median_tilts<ConcurrencyTag>(probes, ranges, search, plane_of_5.number);
+  const Planes planes_of_5 =
+      planes_through<ConcurrencyTag>(plane_of_5.number, probes, ranges, search);
   std::vector<double> limits(probes.of_range.size(), std::numeric_limits<double>::infinity());
   for (std::size_t range : ranges)
-    limits[range] = (std::min)(plane_of_5.limit(layers[range], tilts[range]),
-                               plane_of_7.limit(layers_of_7[range], tilts_of_7[range]));
+    limits[range] = (std::min)(plane_of_5.limit(planes_of_5.layer[range], planes_of_5.tilt[range]),
+                               plane_of_7.limit(planes_of_7.layer[range], planes_of_7.tilt[range]));
   return limits;
 }
 

@@ -7,8 +7,10 @@
 #define CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_NOISE_MEASURE_NOISE_H
 
 #include <CGAL/Curvature_aware_simplification_3/internal/noise/Noise_levels.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/noise/Noise_of_range.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/noise/Noise_probes.h>
-#include <CGAL/Curvature_aware_simplification_3/internal/noise/Shown_noise.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/noise/Planes.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/noise/columns_of_points.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/noise/noise_around_planes.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/noise/noise_around_quadrics.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/parameters/Adaptive_settings.h>
@@ -31,7 +33,8 @@ namespace internal {
 // for one layer, and the thickness of the part for noise. Planes that stand on the surface, as
 // those through points on one line of a scan, show none of its noise; but that of quadrics is
 // steady then.
-inline Noise noise_of_both(const Shown_noise& around_quadrics, const Shown_noise& around_planes)
+inline Noise noise_of_both(const Noise_around_quadrics& around_quadrics,
+                           const Noise_around_planes& around_planes)
 {
   Noise noise;
   noise.level = (std::min)(around_quadrics.level, around_quadrics.limit);
@@ -53,13 +56,20 @@ Noise_levels measure_noise(const std::vector<Point>& points, const Neighbor_sear
                            std::size_t number_of_probes, const Adaptive_settings& settings)
 {
   const Noise_probes probes = noise_probes<ConcurrencyTag>(points, number_of_probes);
-  Shown_noise unknown;
-  unknown.is_known = unknown.is_reliable = false;
-  std::vector<Shown_noise> around_planes(probes.of_range.size(), unknown);
+  Columns columns(probes.of_range.size());
+  std::vector<Noise_around_planes> around_planes(probes.of_range.size()); // nothing known
   if (settings.noise_around_planes)
-    around_planes = noise_around_planes<ConcurrencyTag>(probes, search, settings);
-  const std::vector<Shown_noise> around_quadrics =
-      noise_around_quadrics<ConcurrencyTag>(probes, search, around_planes, settings);
+  {
+    constexpr std::size_t few = 7; // a point and the ring around it
+    const Planes planes_of_7 =
+        planes_through<ConcurrencyTag>(few, probes, all_ranges(probes), search);
+    if (settings.find_columns)
+      columns = columns_of_ranges<ConcurrencyTag>(probes, search, planes_of_7);
+    around_planes =
+        noise_around_planes<ConcurrencyTag>(probes, search, planes_of_7, columns, settings);
+  }
+  const std::vector<Noise_around_quadrics> around_quadrics =
+      noise_around_quadrics<ConcurrencyTag>(probes, search, around_planes, columns, settings);
   std::vector<Noise> noise;
   for (std::size_t range = 0; range < around_quadrics.size(); ++range)
     noise.push_back(noise_of_both(around_quadrics[range], around_planes[range]));

@@ -9,8 +9,8 @@
 #include <CGAL/Curvature_aware_simplification_3/internal/noise/Layer.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/noise/Noise_of_range.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/noise/Noise_probes.h>
-#include <CGAL/Curvature_aware_simplification_3/internal/noise/Shown_noise.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/noise/columns_of_points.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/noise/noise_around_planes.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/parameters/Adaptive_settings.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/tools/Neighbor_search.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/tools/median.h>
@@ -53,7 +53,7 @@ inline void limit_unknown_noise(const std::vector<std::size_t>& unknown, double 
   const std::optional<double> upper = upper_known_noise(of_range, unknown);
   for (std::size_t range : unknown)
   {
-    Shown_noise& noise = of_range[range].noise;
+    Noise_around_quadrics& noise = of_range[range].noise;
     noise.limit = (std::min)(noise.limit, most);
     if (upper && noise.level < thin_part * *upper)
       noise.limit = (std::min)(noise.limit, *upper);
@@ -67,10 +67,10 @@ inline void limit_unknown_noise(const std::vector<std::size_t>& unknown, double 
 // others. If the points end before for most ranges, they are too few to tell noise from shape, and
 // are taken as they are.
 template <typename ConcurrencyTag>
-std::vector<Shown_noise> noise_around_quadrics(const Noise_probes& probes,
-                                               const Neighbor_search& search,
-                                               const std::vector<Shown_noise>& around_planes,
-                                               const Adaptive_settings& settings)
+std::vector<Noise_around_quadrics>
+noise_around_quadrics(const Noise_probes& probes, const Neighbor_search& search,
+                      const std::vector<Noise_around_planes>& around_planes, const Columns& columns,
+                      const Adaptive_settings& settings)
 {
   const auto layers = [&](const std::vector<std::size_t>& ranges, std::size_t k) {
     return median_layers<ConcurrencyTag>(probes, ranges, search, k, Layer_around_quadric());
@@ -78,9 +78,6 @@ std::vector<Shown_noise> noise_around_quadrics(const Noise_probes& probes,
 
   std::vector<std::size_t> unknown = all_ranges(probes);
   std::vector<Noise_of_range> of_range(unknown.size());
-  std::vector<Vector> axes;
-  for (const Shown_noise& noise : around_planes)
-    axes.push_back(noise.axis);
   std::size_t k = Noise_of_range::smallest;
   std::vector<Layer> inner = layers(unknown, k / 2), narrow = layers(unknown, k);
   for (; !unknown.empty() && k <= Noise_of_range::largest && 2 * k <= search.size(); k *= 2)
@@ -89,12 +86,12 @@ std::vector<Shown_noise> noise_around_quadrics(const Noise_probes& probes,
     // where k points hold too few columns, they show a plane along these and no noise
     std::vector<std::size_t> in_columns;
     std::copy_if(unknown.begin(), unknown.end(), std::back_inserter(in_columns),
-                 [&](std::size_t range) { return around_planes[range].is_in_columns; });
-    const std::vector<Column> columns =
-        median_columns<ConcurrencyTag>(probes, in_columns, axes, search, k);
+                 [&](std::size_t range) { return columns.exist[range] != 0; });
+    const std::vector<Column> around =
+        median_columns<ConcurrencyTag>(probes, in_columns, columns.axis, search, k);
     for (std::size_t range : in_columns)
-      if (columns[range].is_one_of_few(k))
-        of_range[range].expect_columns(columns[range].radius, 2 * k);
+      if (around[range].is_one_of_few(k))
+        of_range[range].expect_columns(around[range].radius, 2 * k);
     std::vector<std::size_t> still_unknown;
     for (std::size_t range : unknown)
       if (!of_range[range].learn_from(k, inner[range], narrow[range], wide[range],
@@ -122,7 +119,7 @@ std::vector<Shown_noise> noise_around_quadrics(const Noise_probes& probes,
       of_range[range].take(*of_range[range].doubtful);
   unknown.erase(std::remove_if(unknown.begin(), unknown.end(), is_doubtful), unknown.end());
   limit_unknown_noise(unknown, most, of_range);
-  std::vector<Shown_noise> noise;
+  std::vector<Noise_around_quadrics> noise;
   for (const Noise_of_range& here : of_range)
     noise.push_back(here.noise);
   return noise;

@@ -3,11 +3,12 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_NOISE_TILTS_OF_PLANES_H
-#define CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_NOISE_TILTS_OF_PLANES_H
+#ifndef CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_NOISE_PLANES_H
+#define CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_NOISE_PLANES_H
 
 #include <CGAL/Curvature_aware_simplification_3/internal/fitting/Neighborhood.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/fitting/principal_axes.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/noise/Layer.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/noise/Noise_probes.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/tools/Neighbor_search.h>
 
@@ -36,7 +37,7 @@ inline double tilt_of_plane(const Neighbor_search& search, const Point& place, s
   return sine_of_angle(normal, plane_normal(neighborhood));
 }
 
-// The median tilt of the planes through the `few` nearest points, of some ranges
+// The median tilts of the planes through the `few` nearest points, of some ranges
 template <typename ConcurrencyTag>
 std::vector<double> median_tilts(const Noise_probes& probes, const std::vector<std::size_t>& ranges,
                                  const Neighbor_search& search, std::size_t few)
@@ -51,8 +52,23 @@ std::vector<double> median_tilts(const Noise_probes& probes, const std::vector<s
   return medians;
 }
 
+// What planes through few points show of each range
+struct Planes
+{
+  std::vector<Layer> layer;
+  std::vector<double> tilt;
+};
+
+template <typename ConcurrencyTag>
+Planes planes_through(std::size_t few, const Noise_probes& probes,
+                      const std::vector<std::size_t>& ranges, const Neighbor_search& search)
+{
+  return {median_layers<ConcurrencyTag>(probes, ranges, search, few, Layer_around_plane()),
+          median_tilts<ConcurrencyTag>(probes, ranges, search, few)};
+}
+
 } // namespace internal
 } // namespace Curvature_aware_simplification_3
 } // namespace CGAL
 
-#endif // CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_NOISE_TILTS_OF_PLANES_H
+#endif // CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_NOISE_PLANES_H
