@@ -16,7 +16,6 @@
 #include <functional>
 #include <iterator>
 #include <limits>
-#include <memory>
 #include <vector>
 
 namespace {

@@ -12,7 +12,6 @@
 #include <CGAL/Curvature_aware_simplification_3/internal/tools/Uninitialized_vector.h>
 
 #include <cstddef>
-#include <memory>
 #include <vector>
 
 namespace CGAL {

@@ -33,7 +33,6 @@
 #include <CGAL/Curvature_aware_simplification_report.h>
 
 #include <cstddef>
-#include <memory>
 #include <utility>
 #include <vector>
 
