@@ -26,8 +26,8 @@ namespace internal {
 // Whether the neighbors do not tell the height at the center, whatever is left out of them: noise
 // would be larger there than at a point, and visibly so. The center is between two lines of a scan,
 // whose lines are farther apart than the points on them; of 19 random points, less than 1 % are so
-// badly placed. The neighbors are left weighted by their distance.
-inline bool is_between_lines(const Surface_fit& fit, Neighborhood& neighborhood,
+// badly placed.
+inline bool is_between_lines(const Surface_fit& fit, const Neighborhood& neighborhood,
                              const Local_surface& surface)
 {
   const auto is_unknown = [&](const Local_surface& s) {
@@ -36,9 +36,11 @@ inline bool is_between_lines(const Surface_fit& fit, Neighborhood& neighborhood,
   };
   if (!is_unknown(surface))
     return false;
-  neighborhood.weight_by_distance();
+  static thread_local Neighborhood all; // whatever was left out
+  all = neighborhood;
+  all.weight_by_distance();
   Local_surface of_all = surface;
-  return fit_quadric(neighborhood, fit.noise.independent_level, of_all) && is_unknown(of_all);
+  return fit_quadric(all, fit.noise.independent_level, of_all) && is_unknown(of_all);
 }
 
 // The width of neighbors on a line is less than this part of their length. On exact lines, 5 to 50
@@ -82,13 +84,15 @@ inline double width_across_parabola(const Neighborhood& neighborhood, const Loca
 }
 
 // Whether the neighbors are on one line that bends, maybe more than a parabola tells: with as few
-// as 19, chance would decide. The neighbors are left weighted by their distance.
-inline bool is_on_bent_line(Neighborhood& neighborhood, const Local_surface& surface)
+// as 19, chance would decide.
+inline bool is_on_bent_line(const Neighborhood& neighborhood, const Local_surface& surface)
 {
   if (neighborhood.is_along_curve())
     return true;
-  neighborhood.weight_by_distance();
-  return width_across_parabola(neighborhood, surface) < least_breadth * surface.length;
+  static thread_local Neighborhood all; // whatever was left out
+  all = neighborhood;
+  all.weight_by_distance();
+  return width_across_parabola(all, surface) < least_breadth * surface.length;
 }
 
 } // namespace internal
