@@ -5,6 +5,7 @@
 
 #include <CGAL/Curvature_aware_simplification_3/internal/Scan.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/density/lattice_spacing.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/density/even_density.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/density/sampling_density.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/features/features.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/features/shared_features.h>
@@ -55,7 +56,7 @@ struct Stages
       scan{{cloud.points, nullptr, cloud.coordinate_error},
            features.inverse_density,
            uniform_noise(0., cloud.size()),
-           area_of_surface<Tag>(features.inverse_density),
+           even_density<Tag>(features.inverse_density, size / 10, default_settings.densest),
            {},
            false}
   {}

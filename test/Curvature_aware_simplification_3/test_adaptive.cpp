@@ -739,6 +739,48 @@ TEST(Adaptive, each_parameter_has_an_effect)
                                              .recompute_curvature(true)));
 }
 
+// The ground behind what was scanned is a hundredth of the points, and nearly all of the area.
+TEST(Adaptive, sees_noise_in_front_of_far_points)
+{
+  std::vector<Point> points;
+  CGAL::Random random(7);
+  for (const Point& p : surfaces::sphere(50000, 6))
+    points.push_back(CGAL::ORIGIN +
+                     (1. + 0.005 * surfaces::normal_deviate(random)) * (p - CGAL::ORIGIN));
+  const auto error = [&](double half_width) {
+    std::vector<Point> input = points;
+    for (int i = 0; i < (half_width > 0. ? 500 : 0); ++i)
+    {
+      const double x = random.uniform_real(-half_width, half_width);
+      input.emplace_back(x, random.uniform_real(-half_width, half_width), -half_width / 2.);
+    }
+    CGAL::Curvature_aware_simplification_report report;
+    std::vector<Point> output;
+    CGAL::curvature_aware_simplify_point_set<Tag>(
+        input, std::back_inserter(output),
+        np::number_of_output_points(2000).simplification_report(std::ref(report)));
+    EXPECT_GT(report.output_spacing, 0.08);
+    EXPECT_LT(report.output_spacing, 0.1); // 0.5 to 5 if all areas counted
+    double sum = 0., number = 0.;
+    for (const Point& p : output)
+    {
+      const double distance = std::abs(std::sqrt((p - CGAL::ORIGIN).squared_length()) - 1.);
+      if (distance < 0.5)
+      {
+        sum += distance;
+        ++number;
+      }
+    }
+    EXPECT_GT(number, 1500.);
+    return sum / number;
+  };
+  const double alone = error(0.);
+  EXPECT_LT(alone, 0.0007);
+  for (double half_width : {10., 100.})
+    EXPECT_LT(error(half_width), 1.3 * alone)
+        << half_width; // 4 to 5 times as large without smoothing
+}
+
 TEST(Adaptive, reports_what_it_found)
 {
   std::vector<Point> points = with_noise(surfaces::sphere(20000, 39), 0.01, 40);

@@ -3,6 +3,7 @@
 #include "inputs.h"
 
 #include <CGAL/Curvature_aware_simplification_3/internal/Scan.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/density/even_density.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/density/lattice_spacing.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/density/sampling_density.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/density/scale_to_number.h>
@@ -15,6 +16,8 @@
 #include <CGAL/Curvature_aware_simplification_3/internal/tools/Neighbor_search.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/tools/Uninitialized_vector.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/tools/median.h>
+
+#include <CGAL/number_type_config.h>
 
 #include <Eigen/Core>
 #include <Eigen/Eigenvalues>
@@ -37,11 +40,11 @@ Sampling_density density_of(const Cloud& cloud, std::size_t n, double alpha, dou
 {
   Features features = compute_features<Tag, CGAL::Default_diagonalize_traits<double, 3>>(
       cloud, 16, Progress(no_callback));
-  const double area = area_of_surface<Tag>(features.inverse_density);
+  const double density = even_density<Tag>(features.inverse_density, n, 0.85);
   const Scan scan{{cloud.points, nullptr, cloud.coordinate_error},
                   std::move(features.inverse_density),
                   uniform_noise(cloud.frame.length_to_frame(noise), cloud.size()),
-                  area,
+                  density,
                   {},
                   false};
   return sampling_density<Tag>(scan, n, alpha, Adaptive_settings(), Progress(no_callback));
@@ -87,6 +90,22 @@ void expect_samples(const std::vector<double>& samples, const std::vector<double
 {
   for (std::size_t i = 0; i < expected.size(); ++i)
     EXPECT_NEAR(samples[i], expected[i], 1e-9 * expected[i]) << i;
+}
+
+// 100 points that stand for an area of 1 each, and one that is far
+TEST(Even_density, does_not_count_areas_without_samples)
+{
+  Uninitialized_vector<double> inverse_density(101, 1. / CGAL_PI);
+  const auto density = [&](std::size_t number) {
+    EXPECT_EQ(even_density<Tag>(inverse_density, number, 0.85),
+              even_density<CGAL::Sequential_tag>(inverse_density, number, 0.85));
+    return even_density<Tag>(inverse_density, number, 0.85);
+  };
+  EXPECT_NEAR(density(10), 10. / 101., 1e-12);
+  EXPECT_NEAR(density(100), 100. / 101., 1e-12); // of more than 0.85 for each point
+  inverse_density[50] = 1e6 / CGAL_PI;
+  EXPECT_NEAR(density(10), 9.15 / 100., 1e-12);
+  EXPECT_NEAR(density(80), (80. - 160. / 101.) / 100., 1e-12); // twice its share
 }
 
 TEST(Sampling_density, gives_what_the_limit_takes_to_all_others)

@@ -24,16 +24,13 @@ struct Scan : Searchable_points
 {
   Uninitialized_vector<double> inverse_density; // 1 / rho of each point
   Noise_levels noise;                           // that is left
-  double area;                                  // of the surface
-  std::vector<Point> bent_points;               // at which there may be an edge
+  double even_density;            // of samples that are spread evenly, see even_density()
+  std::vector<Point> bent_points; // at which there may be an edge
   // Where there were, some were not found, and the point nearest to a sample may be one.
   bool had_more_than_a_few_outliers;
 
-  // of that many samples, in the mean
-  double spacing_of(std::size_t number_of_samples) const
-  {
-    return lattice_spacing(static_cast<double>(number_of_samples) / area);
-  }
+  // of samples that are spread evenly
+  double spacing() const { return lattice_spacing(even_density); }
 };
 
 } // namespace internal

@@ -8,7 +8,7 @@
 
 #include <CGAL/Curvature_aware_simplification_3/internal/Scan.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/copies/merge_copies.h>
-#include <CGAL/Curvature_aware_simplification_3/internal/density/lattice_spacing.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/density/even_density.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/depth/Depth_levels.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/depth/undo_rounding.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/features/bent_points.h>
@@ -52,8 +52,8 @@ Noise_levels noise_and_enough_points(Searchable_points& cloud, Features& feature
                                          number_of_places, settings);
   };
   const auto error = [&] {
-    return visible_error(parameters.number_of_output_points,
-                         area_of_surface<ConcurrencyTag>(features.inverse_density));
+    return visible_error(even_density<ConcurrencyTag>(
+        features.inverse_density, parameters.number_of_output_points, settings.densest));
   };
   Noise_levels noise = noise_at(few_probes);
   if (settings.thin_dense_noise &&
@@ -105,13 +105,18 @@ Scan clean_scan(Searchable_points cloud, const Frame& frame, const Parameters& p
   Noise_levels noise = noise_and_enough_points<ConcurrencyTag, DiagonalizeTraits>(
       cloud, features, depth_levels, parameters, settings, progress.part(0.7, 0.75));
   report.noise_level = frame.length_from_frame(noise.median());
-  const double area = area_of_surface<ConcurrencyTag>(features.inverse_density);
+  const double density =
+      even_density<ConcurrencyTag>(features.inverse_density, number_of_samples, settings.densest);
   noise.widen_to_columns();
-  noise.make_visible_above(visible_error(number_of_samples, area));
+  noise.make_visible_above(visible_error(density));
   Flags is_bent = bent_points<ConcurrencyTag>(features, noise);
   const std::size_t k = features.number_of_neighbors;
-  Scan scan{std::move(cloud),     std::move(features.inverse_density),       std::move(noise), area,
-            std::vector<Point>(), is_more_than_a_few(outliers_found, places)};
+  Scan scan{std::move(cloud),
+            std::move(features.inverse_density),
+            std::move(noise),
+            density,
+            std::vector<Point>(), // known when the points are smoothed
+            is_more_than_a_few(outliers_found, places)};
   features = Features();
   progress.report(0.75);
   report.noise_time = stopwatch.lap();

@@ -71,8 +71,7 @@ Distinct_samples simplify_adaptively(Cloud cloud, const Parameters& parameters,
   Searchable_points distinct = without_positions(std::move(cloud)); // a statement, which frees them
   Scan scan = clean_scan<ConcurrencyTag, DiagonalizeTraits>(
       std::move(distinct), frame, parameters, settings, progress.part(0., 0.4), report);
-  report.output_spacing =
-      frame.length_from_frame(scan.spacing_of(parameters.number_of_output_points));
+  report.output_spacing = frame.length_from_frame(scan.spacing());
   if (scan.points.size() < fewest_points_to_fit)
     return select_without_moving<ConcurrencyTag>(scan.points, parameters);
 

@@ -14,6 +14,7 @@
 #include <CGAL/Curvature_aware_simplification_3/internal/tools/Progress.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/tools/loops.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <functional>
@@ -52,14 +53,20 @@ Sampling_density sampling_density(const Scan& scan, std::size_t number_of_sample
   // Bounded from below by a part of the mean, with what noise may hide. Without that, the few
   // places of a noisy plane that look bent by chance are the only ones that are, and get half of
   // all samples.
+  // In the mean, areas count as far as they get samples (see even_density()): a few far points would
+  // decide.
+  const auto area = [&](std::size_t i) {
+    return (std::min)(surface.area[i],
+                      settings.densest * static_cast<double>(ranges.size(i)) / scan.even_density);
+  };
+  const auto sum_over_ranges = [&](const auto& value) {
+    return reduce_indices<ConcurrencyTag>(ranges.number, 0., value, std::plus<double>());
+  };
   const double mean_power =
-      reduce_indices<ConcurrencyTag>(
-          ranges.number, 0.,
-          [&](std::size_t i) {
-            return surface.area[i] * std::pow(surface.possible_curvature[i], order_of_mean);
-          },
-          std::plus<double>()) /
-      scan.area;
+      sum_over_ranges([&](std::size_t i) {
+        return area(i) * std::pow(surface.possible_curvature[i], order_of_mean);
+      }) /
+      sum_over_ranges(area);
   const double least =
       mean_power > 0. ? settings.least_curvature * std::pow(mean_power, 1. / order_of_mean) : 1.;
   std::vector<double> density(ranges.number), weight(ranges.number);

@@ -6,6 +6,7 @@
 #ifndef CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_DENSITY_SCALE_TO_NUMBER_H
 #define CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_DENSITY_SCALE_TO_NUMBER_H
 
+#include <CGAL/Curvature_aware_simplification_3/internal/density/scale_with_limits.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/tools/Curve_ranges.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/tools/loops.h>
 
@@ -22,43 +23,16 @@ namespace internal {
 // samples for each input point: a denser result could show no more than the points do. If all
 // together are asked for more than that, all get more.
 //
-// What the limit takes away goes to all others: with the limits L_i, areas A_i, and wanted
-// densities w_i, the scale t solves
-//   sum A_i min(t w_i, L_i) = number.
-// The sum is concave in t, so that the steps of Newton's method from t = 0 never pass the solution;
-// they have arrived when a step leaves no more ranges at their limits.
+// What the limit takes away goes to all others: see scale_with_limits().
 template <typename ConcurrencyTag>
 void scale_to_number(std::vector<double>& density, double number, const Curve_ranges& ranges,
                      const std::vector<double>& range_area, double densest)
 {
-  const auto limit = [&](std::size_t i) {
-    return densest * static_cast<double>(ranges.size(i)) / range_area[i];
-  };
-
-  struct Samples
-  {
-    double limited, others; // the others at t = 1
-  };
-  const auto sum = [](const Samples& a, const Samples& b) {
-    return Samples{a.limited + b.limited, a.others + b.others};
-  };
-  double scale = 0.;
-  for (;;)
-  {
-    const Samples samples = reduce_indices<ConcurrencyTag>(
-        ranges.number, Samples{0., 0.},
-        [&](std::size_t i) {
-          return scale * density[i] < limit(i) ? Samples{0., density[i] * range_area[i]}
-                                               : Samples{limit(i) * range_area[i], 0.};
-        },
-        sum);
-    const double next = (number - samples.limited) / samples.others; // infinite if all are limited
-    if (!(next > scale))
-      break;
-    scale = next;
-  }
+  const auto limit = [&](std::size_t i) { return densest * static_cast<double>(ranges.size(i)); };
+  const double scale = scale_with_limits<ConcurrencyTag>(
+      ranges.number, number, [&](std::size_t i) { return density[i] * range_area[i]; }, limit);
   for_each_index<ConcurrencyTag>(0, ranges.number, [&](std::size_t i) {
-    density[i] = (std::min)(limit(i), scale * density[i]);
+    density[i] = (std::min)(limit(i) / range_area[i], scale * density[i]);
   });
 
   const double all = reduce_indices<ConcurrencyTag>(

@@ -117,7 +117,7 @@ Surface_curvature surface_curvature(const Scan& scan, std::size_t number_of_samp
   const Uninitialized_vector<Surface_piece> pieces = surface_pieces<ConcurrencyTag>(
       scan.points, scan.inverse_density, pieces_in_range * ranges.number);
 
-  const double radius = settings.curvature_radius * scan.spacing_of(number_of_samples);
+  const double radius = settings.curvature_radius * scan.spacing();
   Surface_curvature result(ranges);
   std::vector<Point> centers(ranges.number);
   std::vector<const Noise*> noise_of_range(ranges.number);

@@ -22,11 +22,11 @@ namespace CGAL {
 namespace Curvature_aware_simplification_3 {
 namespace internal {
 
-// The error of samples that is visible: 1 % of their spacing on a surface with such an area. Only
-// beyond that are wider fits worth their time.
-inline double visible_error(std::size_t number_of_samples, double area)
+// The error of samples that is visible: 1 % of their spacing if they are spread evenly. Only beyond
+// that are wider fits worth their time.
+inline double visible_error(double even_density)
 {
-  return 0.01 * lattice_spacing(static_cast<double>(number_of_samples) / area);
+  return 0.01 * lattice_spacing(even_density);
 }
 
 // The noise of the points without outliers, and what rounding has left of depth, by place

@@ -36,33 +36,36 @@ inline std::size_t needed_neighbors(std::size_t k, bool are_outliers_likely)
   return are_outliers_likely ? (k + 1) / 2 : (k + 3) / 4;
 }
 
-// Of the far ones that are marked, those of whose k nearest `needed` are not and have them among
-// their own. `neighbors` counts these for all points that are far and marked.
+// Of the far ones that are marked, those of whose k nearest `needed` are of a surface and have them
+// among their own: they are not marked, and have no more than `sparse` 1/rho. An outlier that is far
+// as well, and not marked since its neighborhood is flat by chance, is no surface: others would
+// follow it, one after the other. `neighbors` counts these for all points that are far and marked.
 template <typename ConcurrencyTag>
 std::vector<std::size_t>
-next_to_unmarked(const Searchable_points& cloud, const Features& features, std::size_t needed,
-                 const std::vector<std::size_t>& far_ones, const Flags& is_outlier,
-                 std::vector<std::atomic<std::uint32_t>>& neighbors)
+next_to_surface(const Searchable_points& cloud, const Features& features, std::size_t needed,
+                double sparse, const std::vector<std::size_t>& far_ones, const Flags& is_outlier,
+                std::vector<std::atomic<std::uint32_t>>& neighbors)
 {
+  const auto is_of_surface = [&](std::size_t j) {
+    return is_outlier[j] == 0 && features.inverse_density[j] <= sparse;
+  };
   return those_where<ConcurrencyTag>(far_ones, [&](std::size_t i) {
     if (is_outlier[i] == 0)
       return false;
     std::uint32_t number = 0;
-    for_each_mutual_neighbor(
-        cloud, features, i, [&](std::size_t j) { return is_outlier[j] == 0; },
-        [&](std::size_t) { ++number; });
+    for_each_mutual_neighbor(cloud, features, i, is_of_surface, [&](std::size_t) { ++number; });
     neighbors[i].store(number, std::memory_order_relaxed);
     return number >= needed;
   });
 }
 
-// Unmarks those of the far ones of whose k nearest so many at least are not marked and have it
+// Unmarks those of the far ones of whose k nearest so many at least are of a surface and have it
 // among their own, those next to these, and so on. An outlier over a surface is no neighbor of its
 // points, and those farther off have no others than outliers. But if outliers are likely, some may
 // be too dense to be marked and connect others: those are left that look like space. O(k + log n)
 // for each far one, and for each one unmarked.
 template <typename ConcurrencyTag>
-void unmark_connected(const Searchable_points& cloud, const Features& features,
+void unmark_connected(const Searchable_points& cloud, const Features& features, double sparse,
                       bool are_outliers_likely, const std::vector<std::size_t>& far_ones,
                       Flags& is_outlier)
 {
@@ -74,8 +77,8 @@ void unmark_connected(const Searchable_points& cloud, const Features& features,
   for_each_index<ConcurrencyTag>(0, cloud.size(), [&](std::size_t i) {
     neighbors[i].store(static_cast<std::uint32_t>(needed), std::memory_order_relaxed);
   });
-  std::vector<std::size_t> asked =
-      next_to_unmarked<ConcurrencyTag>(cloud, features, needed, far_ones, is_outlier, neighbors);
+  std::vector<std::size_t> asked = next_to_surface<ConcurrencyTag>(cloud, features, needed, sparse,
+                                                                   far_ones, is_outlier, neighbors);
   while (!asked.empty())
   {
     for_each_index<ConcurrencyTag>(0, asked.size(), [&](std::size_t a) {

@@ -58,7 +58,8 @@ std::vector<std::size_t> mark_far_points(const Searchable_points& cloud, const F
                                                     far_ones, is_outlier);
   unmark_sparse_surfaces<ConcurrencyTag>(cloud, features, sparseness.of_sparse_parts,
                                          needed_share_of_support(are_likely), far_ones, is_outlier);
-  unmark_connected<ConcurrencyTag>(cloud, features, are_likely, far_ones, is_outlier);
+  unmark_connected<ConcurrencyTag>(cloud, features, sparseness.of_outliers, are_likely, far_ones,
+                                   is_outlier);
   return in_layers;
 }
 
@@ -76,19 +77,18 @@ inline bool are_few_against(std::size_t second, std::size_t first)
 // there are few.
 //
 // 1. Outlier_votes::mark_few(): every point votes for its k nearest. A point on a surface gets
-// about
-//    k votes, at a corner of an open surface half of them, and the density of the input cancels out:
-//    sparse regions vote for themselves. An outlier near a surface has neighbors there, but is no
-//    neighbor of theirs: it gets less than a quarter of k. (Votes are the in-degrees of the graph of
-//    k nearest neighbors; as a sign of outliers: Hautamaki et al. 2004.)
+//    about k votes, at a corner of an open surface half of them, and the density of the input
+//    cancels out: sparse regions vote for themselves. An outlier near a surface has neighbors there,
+//    but is no neighbor of theirs: it gets less than a quarter of k. (Votes are the in-degrees of
+//    the graph of k nearest neighbors; as a sign of outliers: Hautamaki et al. 2004.)
 // 2. Outlier_votes::keep_lone_points(): where these are no more than a few, those in the plane of
 //    their neighbors are lone points of a sparse border.
 // 3. mark_far_points(): outliers far away vote for each other. They are those whose neighborhood is
 //    as thick as wide and has more than 3 times the median radius, which noise alone does not give
-//    it; where some may be denser, the roundest of those with 2 to 3 times are, too. Sparse parts of a
-//    surface look like that as well, but they are layers in wider neighborhoods
-//    (unmark_noisy_layers()), flat points are nearby (unmark_sparse_surfaces()), or they are connected
-//    to denser parts (unmark_connected()).
+//    it; where some may be denser, the roundest of those with 2 to 3 times are, too. Sparse parts
+//    of a surface look like that as well, but they are layers in wider neighborhoods
+//    (unmark_noisy_layers()), flat points are nearby (unmark_sparse_surfaces()), or they are
+//    connected to denser parts (unmark_connected()).
 // 4. Outlier_votes::take_back(): the votes of outliers do not count, which uncovers others; where
 //    outliers are dense, those that lose a third of theirs.
 // 5. isolated_clusters(): without single points between them, clusters are apart.

@@ -40,12 +40,17 @@ inline std::size_t percentage_of(double percentage, std::size_t number_of_points
   return (std::max)(std::size_t(1), static_cast<std::size_t>(count));
 }
 
-// The value of a named parameter as a double
+// The value of a named parameter as a double: CGAL::to_double() knows its number types, but not all
+// that are built in
 template <typename NamedParameters, typename Tag>
 double number(const NamedParameters& np, const Tag& tag, double default_value)
 {
-  return CGAL::to_double(
-      parameters::choose_parameter(parameters::get_parameter(np, tag), default_value));
+  const auto value =
+      parameters::choose_parameter(parameters::get_parameter(np, tag), default_value);
+  if constexpr (std::is_arithmetic<std::remove_const_t<decltype(value)>>::value)
+    return static_cast<double>(value);
+  else
+    return CGAL::to_double(value);
 }
 
 template <typename NamedParameters>

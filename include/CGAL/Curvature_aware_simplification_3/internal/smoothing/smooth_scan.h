@@ -7,7 +7,7 @@
 #define CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_SMOOTHING_SMOOTH_SCAN_H
 
 #include <CGAL/Curvature_aware_simplification_3/internal/Scan.h>
-#include <CGAL/Curvature_aware_simplification_3/internal/density/lattice_spacing.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/density/even_density.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/features/features.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/parameters/Adaptive_settings.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/smoothing/smooth_points.h>
@@ -30,8 +30,8 @@ template <typename ConcurrencyTag>
 void smooth_scan(Scan& scan, Flags& is_bent, std::size_t number_of_samples, std::size_t k,
                  const Adaptive_settings& settings, const Progress& progress)
 {
-  set_smoothing_radii<ConcurrencyTag>(scan.noise, scan.points, *scan.search,
-                                      scan.spacing_of(number_of_samples), settings);
+  set_smoothing_radii<ConcurrencyTag>(scan.noise, scan.points, *scan.search, scan.spacing(),
+                                      settings);
   scan.noise = smooth_points<ConcurrencyTag>(scan.points, scan.inverse_density, is_bent,
                                              *scan.search, scan.noise, number_of_samples, settings,
                                              progress.part(0., 0.8));
@@ -42,7 +42,8 @@ void smooth_scan(Scan& scan, Flags& is_bent, std::size_t number_of_samples, std:
   // surface looked twice as large. Frames put them on top of each other, and it looked smaller.
   scan.inverse_density =
       inverse_densities<ConcurrencyTag>(scan.points, *scan.search, k, progress.part(0.84, 1.));
-  scan.area = area_of_surface<ConcurrencyTag>(scan.inverse_density);
+  scan.even_density =
+      even_density<ConcurrencyTag>(scan.inverse_density, number_of_samples, settings.densest);
 }
 
 } // namespace internal
