@@ -48,8 +48,8 @@ input:
    nearest points, as on thin parts, by more than noise explains move to these. Samples next to a sharp edge move onto it, and those next to a corner of a border into it.
 
 Fewer than 57 distinct points, outliers not counted, do not tell the surface. Of these, some are
-selected evenly along the space-filling curve and none is moved; of the parameters, only the number
-of points and the seed matter, and where there are outliers, `number_of_neighbors`.
+selected evenly along the space-filling curve and none is moved any more; of the parameters, only the
+number of points and the seed matter, and where there are outliers, `number_of_neighbors`.
 
 What was found is told by `simplification_report`. The manual has the details.
 

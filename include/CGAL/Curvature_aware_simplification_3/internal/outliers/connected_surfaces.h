@@ -37,9 +37,10 @@ inline std::size_t needed_neighbors(std::size_t k, bool are_outliers_likely)
 }
 
 // Of the far ones that are marked, those of whose k nearest `needed` are of a surface and have them
-// among their own: they are not marked, and have no more than `sparse` 1/rho. An outlier that is far
-// as well, and not marked since its neighborhood is flat by chance, is no surface: others would
-// follow it, one after the other. `neighbors` counts these for all points that are far and marked.
+// among their own. An outlier that is far as well, with more than `sparse` 1/rho, and was not marked
+// since its neighborhood is flat by chance, is of none: others would follow it, one after the other.
+// What is far and thick and not marked any more is. `neighbors` counts these for all points that are
+// far and marked.
 template <typename ConcurrencyTag>
 std::vector<std::size_t>
 next_to_surface(const Searchable_points& cloud, const Features& features, std::size_t needed,
@@ -47,7 +48,8 @@ next_to_surface(const Searchable_points& cloud, const Features& features, std::s
                 std::vector<std::atomic<std::uint32_t>>& neighbors)
 {
   const auto is_of_surface = [&](std::size_t j) {
-    return is_outlier[j] == 0 && features.inverse_density[j] <= sparse;
+    return is_outlier[j] == 0 && (features.inverse_density[j] <= sparse ||
+                                  features.surface_variation[j] > least_variation_of_volumes);
   };
   return those_where<ConcurrencyTag>(far_ones, [&](std::size_t i) {
     if (is_outlier[i] == 0)
