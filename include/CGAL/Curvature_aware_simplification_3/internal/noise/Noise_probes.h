@@ -28,6 +28,7 @@ namespace internal {
 struct Noise_probes
 {
   std::vector<Point> points;
+  std::vector<std::size_t> index; // of each, among the points of the curve
   std::vector<std::vector<std::size_t>> of_range;
 
   // The range that probe i is in; it may count for others
@@ -65,7 +66,10 @@ Noise_probes noise_probes(const std::vector<Point>& points, std::size_t most)
   Noise_probes probes;
   const std::size_t number = (std::min)(most, points.size());
   for (std::size_t i = 0; i < number; ++i)
-    probes.points.push_back(points[middle_of_part(i, number, points.size())]);
+  {
+    probes.index.push_back(middle_of_part(i, number, points.size()));
+    probes.points.push_back(points[probes.index.back()]);
+  }
   const std::size_t ranges = (std::max)(number / in_range, std::size_t(1));
   probes.of_range.resize(ranges);
   const Neighbor_search search(probes.points, ConcurrencyTag());

@@ -145,7 +145,7 @@ void set_smoothing_radii(Noise_levels& noise, const std::vector<Point>& points,
   const std::size_t number = probes.points.size();
   std::vector<Fit_difference> differences(number);
   for_each_index<ConcurrencyTag>(0, number, [&](std::size_t i) {
-    const Noise& here = noise.at(middle_of_part(i, number, points.size()));
+    const Noise& here = noise.at(probes.index[i]);
     if (here.is_visible)
       differences[i] =
           difference_of_fits(fitter.at(here), probes.points[i], radius_to_compare(here));

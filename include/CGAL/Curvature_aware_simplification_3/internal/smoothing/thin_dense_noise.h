@@ -33,10 +33,10 @@ template <typename ConcurrencyTag>
 std::vector<double> points_in_noise(const Noise_probes& probes, const Neighbor_search& search,
                                     const Noise_levels& noise, std::size_t most)
 {
-  const std::size_t number = probes.points.size(), points = noise.first_point.back();
+  const std::size_t number = probes.points.size();
   std::vector<double> in_ball(number, 0.);
   for_each_index<ConcurrencyTag>(0, number, [&](std::size_t i) {
-    const Noise& here = noise.at(middle_of_part(i, number, points));
+    const Noise& here = noise.at(probes.index[i]);
     if (here.is_visible)
       search.for_each_within(
           probes.points[i], largest_smoothing_radius_in_noise * here.level,
