@@ -111,6 +111,7 @@ TEST_P(Both_methods, count_is_exact_for_every_seed_count_and_percentage)
   EXPECT_EQ(simplified(points, np::select_percentage(7)).size(), 140u);
   EXPECT_EQ(simplified(points, np::select_percentage(0.01)).size(), 1u); // rounded down, at least 1
   EXPECT_EQ(simplified(points, np::select_percentage(100)).size(), 2000u);
+  EXPECT_EQ(simplified(points, np::select_percentage(static_cast<unsigned short>(7))).size(), 140u);
   EXPECT_EQ(simplified(points, np::select_percentage(50).number_of_output_points(3)).size(), 3u);
   EXPECT_EQ(simplified(points, np::select_percentage(0).number_of_output_points(3)).size(), 3u);
   EXPECT_EQ(subset(points).size(), 100u);

@@ -41,9 +41,10 @@ namespace Curvature_aware_simplification_3 {
 namespace internal {
 
 // The noise: at few places, and at many where it is visible. Points that are too dense against it
-// are left out before.
+// are left out before, and the features and the density of even samples are then those of what is
+// left.
 template <typename ConcurrencyTag, typename DiagonalizeTraits>
-Noise_levels noise_and_enough_points(Searchable_points& cloud, Features& features,
+Noise_levels noise_and_enough_points(Searchable_points& cloud, Features& features, double& density,
                                      const Depth_levels& depth_levels, const Parameters& parameters,
                                      const Adaptive_settings& settings, const Progress& progress)
 {
@@ -51,18 +52,19 @@ Noise_levels noise_and_enough_points(Searchable_points& cloud, Features& feature
     return noise_of_scan<ConcurrencyTag>(cloud.points, *cloud.search, depth_levels,
                                          number_of_places, settings);
   };
-  const auto error = [&] {
-    return visible_error(even_density<ConcurrencyTag>(
-        features.inverse_density, parameters.number_of_output_points, settings.densest));
-  };
   Noise_levels noise = noise_at(few_probes);
   if (settings.thin_dense_noise &&
-      thin_dense_noise<ConcurrencyTag>(cloud, noise, depth_levels, error(),
+      thin_dense_noise<ConcurrencyTag>(cloud, noise, depth_levels, visible_error(density),
                                        parameters.number_of_output_points, settings))
+  {
     features = compute_features<ConcurrencyTag, DiagonalizeTraits>(
         cloud, parameters.number_of_neighbors, progress);
+    density = even_density<ConcurrencyTag>(features.inverse_density,
+                                           parameters.number_of_output_points, settings.densest);
+  }
   const std::size_t many = many_probes(cloud.size(), settings.most_noise_probes);
-  return many > few_probes && noise.is_visible_above(error()) ? noise_at(many) : noise;
+  return many > few_probes && noise.is_visible_above(visible_error(density)) ? noise_at(many)
+                                                                             : noise;
 }
 
 // Measures what disturbs the input and takes it away, in this order: steps of the depth, copies,
@@ -102,11 +104,11 @@ Scan clean_scan(Searchable_points cloud, const Frame& frame, const Parameters& p
 
   Features features = std::move(shared.features);
   shared = Shared_features();
-  Noise_levels noise = noise_and_enough_points<ConcurrencyTag, DiagonalizeTraits>(
-      cloud, features, depth_levels, parameters, settings, progress.part(0.7, 0.75));
-  report.noise_level = frame.length_from_frame(noise.median());
-  const double density =
+  double density =
       even_density<ConcurrencyTag>(features.inverse_density, number_of_samples, settings.densest);
+  Noise_levels noise = noise_and_enough_points<ConcurrencyTag, DiagonalizeTraits>(
+      cloud, features, density, depth_levels, parameters, settings, progress.part(0.7, 0.75));
+  report.noise_level = frame.length_from_frame(noise.median());
   noise.widen_to_columns();
   noise.make_visible_above(visible_error(density));
   Flags is_bent = bent_points<ConcurrencyTag>(features, noise);

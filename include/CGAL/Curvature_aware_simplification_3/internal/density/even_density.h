@@ -18,8 +18,8 @@ namespace CGAL {
 namespace Curvature_aware_simplification_3 {
 namespace internal {
 
-// The density t of `number` samples that are spread evenly over the surface: with the areas A_i = pi
-// / rho_i that the points stand for,
+// The density t of `number` samples that are spread evenly over the surface: with the areas A_i =
+// pi / rho_i that the points stand for,
 //   sum_i min(t A_i, L) = number.
 //
 // L is what scale_to_number() lets a point have, `densest`. Points far from all others, as outliers

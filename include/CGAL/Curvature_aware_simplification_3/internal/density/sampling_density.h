@@ -52,9 +52,8 @@ Sampling_density sampling_density(const Scan& scan, std::size_t number_of_sample
 
   // Bounded from below by a part of the mean, with what noise may hide. Without that, the few
   // places of a noisy plane that look bent by chance are the only ones that are, and get half of
-  // all samples.
-  // In the mean, areas count as far as they get samples (see even_density()): a few far points would
-  // decide.
+  // all samples. In the mean, areas count as far as they get samples, as in even_density():
+  // otherwise, a few far points would decide.
   const auto area = [&](std::size_t i) {
     return (std::min)(surface.area[i],
                       settings.densest * static_cast<double>(ranges.size(i)) / scan.even_density);

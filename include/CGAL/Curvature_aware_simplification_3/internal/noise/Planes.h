@@ -52,6 +52,9 @@ std::vector<double> median_tilts(const Noise_probes& probes, const std::vector<s
   return medians;
 }
 
+// A point and the ring around it
+inline constexpr std::size_t points_of_ring = 7;
+
 // What planes through few points show of each range
 struct Planes
 {

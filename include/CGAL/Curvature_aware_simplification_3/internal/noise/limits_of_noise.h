@@ -47,7 +47,7 @@ std::vector<double> limits_of_noise(const Noise_probes& probes,
                                     const std::vector<std::size_t>& ranges,
                                     const Neighbor_search& search, const Planes& planes_of_7)
 {
-  constexpr Plane_of_few_points plane_of_5{5, 3.55, 0.84}, plane_of_7{7, 3.3, 0.88};
+  constexpr Plane_of_few_points plane_of_5{5, 3.55, 0.84}, plane_of_7{points_of_ring, 3.3, 0.88};
   const Planes planes_of_5 =
       planes_through<ConcurrencyTag>(plane_of_5.number, probes, ranges, search);
   std::vector<double> limits(probes.of_range.size(), std::numeric_limits<double>::infinity());

@@ -60,9 +60,8 @@ Noise_levels measure_noise(const std::vector<Point>& points, const Neighbor_sear
   std::vector<Noise_around_planes> around_planes(probes.of_range.size()); // nothing known
   if (settings.noise_around_planes)
   {
-    constexpr std::size_t few = 7; // a point and the ring around it
     const Planes planes_of_7 =
-        planes_through<ConcurrencyTag>(few, probes, all_ranges(probes), search);
+        planes_through<ConcurrencyTag>(points_of_ring, probes, all_ranges(probes), search);
     if (settings.find_columns)
       columns = columns_of_ranges<ConcurrencyTag>(probes, search, planes_of_7);
     around_planes =

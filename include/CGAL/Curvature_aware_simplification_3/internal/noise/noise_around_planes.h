@@ -46,8 +46,8 @@ noise_around_planes(const Noise_probes& probes, const Neighbor_search& search,
   constexpr double wide_enough = 6.;
 
   const std::vector<std::size_t> ranges = all_ranges(probes);
-  const std::vector<Layer> wide =
-      median_layers<ConcurrencyTag>(probes, ranges, search, 2 * 7, Layer_around_plane());
+  const std::vector<Layer> wide = median_layers<ConcurrencyTag>(
+      probes, ranges, search, 2 * points_of_ring, Layer_around_plane());
   std::vector<Noise_around_planes> noise(ranges.size());
   std::vector<std::size_t> to_limit;
   for (std::size_t range : ranges)

@@ -37,10 +37,10 @@ inline std::size_t needed_neighbors(std::size_t k, bool are_outliers_likely)
 }
 
 // Of the far ones that are marked, those of whose k nearest `needed` are of a surface and have them
-// among their own. An outlier that is far as well, with more than `sparse` 1/rho, and was not marked
-// since its neighborhood is flat by chance, is of none: others would follow it, one after the other.
-// What is far and thick and not marked any more is. `neighbors` counts these for all points that are
-// far and marked.
+// among their own. An outlier that is far as well, with more than `sparse` 1/rho, and was not
+// marked since its neighborhood is flat by chance, is of none: others would follow it, one after
+// the other. What is far and thick and not marked any more is. `neighbors` counts these for all
+// points that are far and marked.
 template <typename ConcurrencyTag>
 std::vector<std::size_t>
 next_to_surface(const Searchable_points& cloud, const Features& features, std::size_t needed,

@@ -65,7 +65,7 @@ std::function<bool(double)> read_callback(const NamedParameters& np)
                                       Callback());
 }
 
-// Reads and checks them, once. Those of the selection:
+// The named parameters of the selection: read and checked here, once
 template <typename NamedParameters>
 Selection_parameters read_selection_parameters(const NamedParameters& np,
                                                std::size_t number_of_points)
@@ -116,7 +116,7 @@ Selection_parameters read_selection_parameters(const NamedParameters& np,
   return result;
 }
 
-// All:
+// All named parameters but the property maps and traits, likewise
 template <typename NamedParameters>
 Parameters read_parameters(const NamedParameters& np, std::size_t number_of_points)
 {

@@ -13,14 +13,12 @@
 #include <cstddef>
 #include <vector>
 
-// Passes in which each element depends on all before it, in two parallel rounds: blocks by
-// themselves, and then with what comes before them.
-
 namespace CGAL {
 namespace Curvature_aware_simplification_3 {
 namespace internal {
 
-// The i in [0, size) for which predicate(i), called once for each, holds; in order
+// The i in [0, size) for which predicate(i), called once for each, holds; in order. In two parallel
+// rounds: blocks by themselves, and then behind what comes before them.
 template <typename ConcurrencyTag, typename Predicate>
 std::vector<std::size_t> indices_where(std::size_t size, const Predicate& predicate)
 {

@@ -16,7 +16,8 @@ namespace CGAL {
 namespace Curvature_aware_simplification_3 {
 namespace internal {
 
-// Replaces each value, none of them negative, by the sum of all up to it. The sums do not fall:
+// Replaces each value, none of them negative, by the sum of all up to it, in two parallel rounds:
+// blocks by themselves, and then with what comes before them. The sums do not fall:
 // where one block ends, rounding may put its last sum above what the next one starts from.
 template <typename ConcurrencyTag>
 void sum_up(std::vector<double>& values)
