@@ -37,7 +37,8 @@ struct Curvature_aware_simplification_report
   std::size_t number_of_output_points = 0;
 
   /// typical distance of neighboring output points: that of a hexagonal lattice of their mean
-  /// density, or, with the settings of the paper, of the median density of the selected points; the
+  /// density, where the area that an input point represents counts up to that of 0.85 output points, or
+  /// twice its share if that is more, so that a few far points do not matter; or, with the settings of the paper, of the median density of the selected points; the
   /// nearest of the neighbors is nearer, on four scans at 0.80 to 0.88 of it in the mean
   double output_spacing = 0.;
   /// with the settings of the paper, the radius \f$h\f$ that was used, given or derived; otherwise 0
@@ -52,7 +53,8 @@ struct Curvature_aware_simplification_report
   /// number of distinct input points that were taken for outliers and left out; copies of a place count once
   std::size_t number_of_outliers = 0;
   /// standard deviation of the distance of the other input points to the surface, as estimated: the median
-  /// over the points, where it differs by place; 0 if the points are too few to tell it from shape
+  /// over the points, where it differs by place; at least about a tenth of `depth_step`, which is what is left when steps are
+  /// undone; 0 if the points are too few to tell noise from shape
   double noise_level = 0.;
 
   /// copying, checking and sorting the points, building the search tree, undoing the rounding of depth,

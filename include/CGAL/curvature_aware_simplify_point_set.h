@@ -44,10 +44,11 @@ input:
    borders.
 -# Where there is noise, samples move towards fits to more neighbors, as far as noise explains the
    difference, and then push each other apart once more.
--# If no more points than three and a thousandth of all were found to be outliers, samples whose fits miss the
-   nearest points, as on thin parts, by more than noise explains move to these. Samples next to a sharp edge move onto it, and those next to a corner of a border into it.
+-# If at most \f$3 + M / 1000\f$ points were found to be outliers, samples whose fits miss the nearest
+   points, as on thin parts, by more than noise explains move to these. Samples next to a sharp edge
+   are moved onto it, and those next to a corner of the border of an open surface into the corner.
 
-Fewer than 57 distinct points, outliers not counted, do not tell the surface. Of these, some are
+Fewer than 57 distinct points, outliers not counted, are too few to fit a surface to. Some of these are
 selected evenly along the space-filling curve and none is moved any more; of the parameters, only the
 number of points and the seed matter, and where there are outliers, `number_of_neighbors`.
 
@@ -58,7 +59,7 @@ seed, whatever the concurrency tag and the number of threads; another compiler, 
 version of a library may round differently. It depends neither on the unit and the origin of the
 coordinates nor on the order of the points, with two exceptions: where rounding decides, between equal
 distances, as on regular grids and where coordinates were rounded, or about whether a point is an outlier,
-other samples, as good, may be selected; and if more points are asked for than are distinct, the order
+other samples of the same quality may be selected; and if more points are asked for than are distinct, the order
 decides which duplicates are returned.
 
 With \f$M\f$ input and \f$N\f$ output points, the time is \f$O(M (\log M + k) + i N \log M)\f$ for

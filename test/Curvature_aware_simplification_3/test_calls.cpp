@@ -86,6 +86,12 @@ TEST_P(Both_methods, callback_is_called_on_the_calling_thread)
   const std::vector<Point> points = surfaces::sphere(20000, 13);
   simplified(points, np::callback(check));
   subset(points, np::callback(check));
+  std::vector<std::pair<Point, double>> variation;
+  for (const Point& p : points)
+    variation.emplace_back(p, 0.);
+  CGAL::estimate_surface_variation<Tag>(
+      variation, 16, CGAL::Second_of_pair_property_map<std::pair<Point, double>>(),
+      np::point_map(CGAL::First_of_pair_property_map<std::pair<Point, double>>()).callback(check));
 }
 
 TEST_P(Both_methods, report_is_left_as_it_is_unless_the_call_succeeds)
@@ -114,12 +120,39 @@ TEST_P(Both_methods, report_is_left_as_it_is_unless_the_call_succeeds)
   EXPECT_GE(report.noise_level, 0.);
 }
 
-TEST_P(Both_methods, callback_may_throw)
+TEST_P(Both_methods, callback_may_throw_and_nothing_is_written)
 {
   const std::vector<Point> points = surfaces::sphere(3000, 14);
-  EXPECT_THROW(
-      simplified(points, np::callback([](double) -> bool { throw std::range_error("mine"); })),
-      std::range_error);
+  std::vector<std::pair<Point, double>> variation;
+  for (const Point& p : points)
+    variation.emplace_back(p, -1.);
+  for (double end : {0., 0.5, 1.})
+  {
+    const auto fail = np::callback([&](double progress) {
+      if (progress >= end)
+        throw std::range_error("mine");
+      return true;
+    });
+    CGAL::Curvature_aware_simplification_report report;
+    report.number_of_input_points = 7;
+    std::vector<Point> output;
+    EXPECT_THROW(CGAL::curvature_aware_simplify_point_set<Tag>(
+                     points, std::back_inserter(output),
+                     fail.settings_of_the_paper(settings_of_the_paper)
+                         .simplification_report(std::ref(report))),
+                 std::range_error);
+    EXPECT_THROW(CGAL::curvature_aware_random_simplify_point_set<Tag>(
+                     points, std::back_inserter(output), fail),
+                 std::range_error);
+    EXPECT_TRUE(output.empty());
+    EXPECT_EQ(report.number_of_input_points, 7u);
+    EXPECT_THROW(CGAL::estimate_surface_variation<Tag>(
+                     variation, 16, CGAL::Second_of_pair_property_map<std::pair<Point, double>>(),
+                     fail.point_map(CGAL::First_of_pair_property_map<std::pair<Point, double>>())),
+                 std::range_error);
+    for (const auto& [p, kappa] : variation)
+      ASSERT_EQ(kappa, -1.);
+  }
 }
 
 TEST_F(Paper, report_tells_what_was_found)

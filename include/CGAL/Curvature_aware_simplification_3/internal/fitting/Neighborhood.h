@@ -145,8 +145,8 @@ struct Neighborhood
     weight_by_distance(support, [](const Neighbor& neighbor) { return neighbor.squared_distance; });
   }
 
-  template <typename Squared_distance>
-  void weight_by_distance(double support, const Squared_distance& squared_distance)
+  template <typename SquaredDistance>
+  void weight_by_distance(double support, const SquaredDistance& squared_distance)
   {
     const Weight_by_distance weight(support);
     for (Neighbor& neighbor : neighbors)

@@ -20,15 +20,16 @@ namespace internal {
 // The narrowest surface that can be trusted, around the foot point of x: through as few neighbors
 // as possible, but twice as many as long as they are on one line, which may bend, or noise makes it
 // unknown between two. If even the most are on one line, it is all there is: a curve, for which the
-// narrowest do, and so they do for the next fit to it. `last` is the fit before, if any; the other
-// arguments are those of fit_to_neighbors().
+// narrowest do, and so they do for the next fit to it. `last` is the fit before, if any; `normal` is
+// that of the sample, or the null vector of a point that starts one.
 inline Local_surface fit_local_surface(const Surface_fit& fit, const Point& x, const Vector& normal,
                                        const Local_surface& last, int rounds,
                                        Neighborhood& neighborhood)
 {
+  const Center center = normal == NULL_VECTOR ? Center::has_no_say : Center::counts;
   const auto fit_curve = [&] {
-    Local_surface surface = fit_to_neighbors(fit, x, normal, smallest_neighborhood, last.neighbors,
-                                             rounds, neighborhood);
+    Local_surface surface = fit_to_neighbors(fit, x, normal, center, smallest_neighborhood,
+                                             last.neighbors, rounds, neighborhood);
     surface.is_curve = true;
     return surface;
   };
@@ -44,7 +45,7 @@ inline Local_surface fit_local_surface(const Surface_fit& fit, const Point& x, c
   for (std::size_t smallest = smallest_neighborhood;;)
   {
     const Local_surface surface =
-        fit_to_neighbors(fit, x, guess, smallest, last.neighbors, rounds, neighborhood);
+        fit_to_neighbors(fit, x, guess, center, smallest, last.neighbors, rounds, neighborhood);
     if (!fit.settings.widen_between_lines)
       return surface;
     const std::size_t size = neighborhood.size();

@@ -49,18 +49,25 @@ inline bool fit_trusted_quadric(const Surface_fit& fit, const Neighborhood& neig
   return true;
 }
 
+// What the point in the center of the first ball says of the surface: nothing where it starts a
+// sample, since it may be an outlier
+enum class Center
+{
+  counts,
+  has_no_say
+};
+
 // Whether the ball is about as narrow as the noise allows
 inline bool is_noisy(const Surface_fit& fit, const Neighborhood& neighborhood)
 {
   return neighborhood.radius <= 2. * smallest_radius_in_noise * fit.noise.level;
 }
 
-// Weights by distance. In the first ball, a point that starts a sample, where the ball is centered,
-// has no say itself: it may be an outlier.
-inline void weight_for_quadric(bool starts_sample, Neighborhood& neighborhood)
+// Weights by distance
+inline void weight_for_quadric(Center center, Neighborhood& neighborhood)
 {
   neighborhood.weight_by_distance();
-  if (starts_sample)
+  if (center == Center::has_no_say)
     for (Neighborhood::Neighbor& neighbor : neighborhood.neighbors)
       if (neighbor.squared_distance == 0.)
         neighbor.weight = 0.;
@@ -69,10 +76,10 @@ inline void weight_for_quadric(bool starts_sample, Neighborhood& neighborhood)
 // The first fit is a plane. The ball may reach another sheet, which the next rounds then leave out:
 // inner neighbors decide, unless the ball is as narrow as the noise allows, or they may be on one
 // line, for which more were asked for. Then all are needed to tell the normal.
-inline void weight_for_plane(const Surface_fit& fit, bool starts_sample, std::size_t smallest,
+inline void weight_for_plane(const Surface_fit& fit, Center center, std::size_t smallest,
                              Neighborhood& neighborhood)
 {
-  weight_for_quadric(starts_sample, neighborhood);
+  weight_for_quadric(center, neighborhood);
   if (!is_noisy(fit, neighborhood) && smallest == smallest_neighborhood)
     for (Neighborhood::Neighbor& neighbor : neighborhood.neighbors)
       neighbor.weight = neighbor.weight * neighbor.weight * neighbor.weight;
@@ -86,7 +93,7 @@ inline constexpr int rounds_to_stay = 2;
 
 // Takes a fit towards the quadric by iteratively reweighted least squares: neighbors with large
 // residuals lose their weights. Where a round fails, what was fitted before is the best there is.
-inline void reweight_and_fit(const Surface_fit& fit, bool starts_sample, int rounds,
+inline void reweight_and_fit(const Surface_fit& fit, Center center, int rounds,
                              Neighborhood& neighborhood, Local_surface& surface)
 {
   static thread_local std::vector<double> residuals;
@@ -96,7 +103,7 @@ inline void reweight_and_fit(const Surface_fit& fit, bool starts_sample, int rou
     surface.spread = (std::max)(spread_of(residuals), fit.noise.level);
     if (!(surface.spread > 0.))
       return;
-    weight_for_quadric(starts_sample, neighborhood);
+    weight_for_quadric(center, neighborhood);
     const Robust_weight weight(surface.spread);
     for (std::size_t i = 0; i < residuals.size(); ++i)
       neighborhood.neighbors[i].weight *= weight(residuals[i]);
@@ -108,20 +115,21 @@ inline void reweight_and_fit(const Surface_fit& fit, bool starts_sample, int rou
 }
 
 // The surface through at least `smallest` neighbors, around the foot point of x, with so many
-// rounds of reweighting. `normal` is a guess, or the null vector where there is none, as for a
-// point that starts a sample, and `expected_neighbors` how many neighbors may be needed, or 0. The
-// neighbors are left in `neighborhood`.
-inline Local_surface fit_to_neighbors(const Surface_fit& fit, const Point& x, const Vector& normal,
-                                      std::size_t smallest, std::size_t expected_neighbors,
-                                      int rounds, Neighborhood& neighborhood)
+// rounds of reweighting. `guess` is a normal, or the null vector where there is none, and
+// `expected_neighbors` how many neighbors may be needed, or 0. The neighbors are left in
+// `neighborhood`.
+inline Local_surface fit_to_neighbors(const Surface_fit& fit, const Point& x, const Vector& guess,
+                                      Center center, std::size_t smallest,
+                                      std::size_t expected_neighbors, int rounds,
+                                      Neighborhood& neighborhood)
 {
-  const bool starts_sample = normal == NULL_VECTOR;
+  const bool has_guess = guess != NULL_VECTOR;
   const double wanted_radius = smallest_radius_in_noise * fit.noise.level;
 
   Local_surface surface;
   surface.origin = x;
-  if (!starts_sample)
-    surface.n = normal;
+  if (has_guess)
+    surface.n = guess;
   surface.complete_frame();
   // A ball around a point off the surface holds more of the noise on its side: it is moved to the
   // foot point.
@@ -133,8 +141,8 @@ inline Local_surface fit_to_neighbors(const Surface_fit& fit, const Point& x, co
       return surface;
     expected_neighbors = neighborhood.size();
 
-    weight_for_plane(fit, starts_sample, smallest, neighborhood);
-    if (starts_sample && moves == 0)
+    weight_for_plane(fit, center, smallest, neighborhood);
+    if (!has_guess && moves == 0)
     {
       surface.n = plane_normal(neighborhood);
       surface.complete_frame();
@@ -144,7 +152,7 @@ inline Local_surface fit_to_neighbors(const Surface_fit& fit, const Point& x, co
     fitted.neighbors = neighborhood.size();
     if (!fit_plane(neighborhood, fitted))
       return surface;
-    reweight_and_fit(fit, starts_sample, rounds, neighborhood, fitted);
+    reweight_and_fit(fit, center, rounds, neighborhood, fitted);
 
     const double distance = std::abs(fitted.c[0]);
     // sigma / 2 in the narrowest balls for the noise: 1/14 of the radius. That part does for any

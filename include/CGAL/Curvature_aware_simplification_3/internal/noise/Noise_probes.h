@@ -110,10 +110,10 @@ auto at_probes(const Noise_probes& probes, const std::vector<std::size_t>& range
 
 // The median layers of k points, of some ranges; those of others are left empty.
 // `layer_around(search, place, k)` is the layer at a probe.
-template <typename ConcurrencyTag, typename Layer_around>
+template <typename ConcurrencyTag, typename LayerAround>
 std::vector<Layer> median_layers(const Noise_probes& probes, const std::vector<std::size_t>& ranges,
                                  const Neighbor_search& search, std::size_t k,
-                                 const Layer_around& layer_around)
+                                 const LayerAround& layer_around)
 {
   const std::vector<Layer> layers = at_probes<ConcurrencyTag>(
       probes, ranges, [&](std::size_t i) { return layer_around(search, probes.points[i], k); });

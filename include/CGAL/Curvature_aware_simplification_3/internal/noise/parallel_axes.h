@@ -55,8 +55,8 @@ struct Common_axis
 };
 
 // Of `number` vectors of each index, of which unit_vectors(i) points to the first
-template <typename Unit_vectors>
-Common_axis common_axis(const std::vector<std::size_t>& indices, const Unit_vectors& unit_vectors,
+template <typename UnitVectors>
+Common_axis common_axis(const std::vector<std::size_t>& indices, const UnitVectors& unit_vectors,
                         std::size_t number)
 {
   Covariance_sums sums; // with their opposites, so that their mean is 0

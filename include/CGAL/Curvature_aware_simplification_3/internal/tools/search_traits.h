@@ -59,9 +59,9 @@ struct Half_of_box : Midpoint_of_max_spread<Search_traits>
 // computed at once in less time: a whole call takes 3 % less.
 struct Distance_in_space : Euclidean_distance<Search_base_traits>
 {
-  template <typename Coordinate_iterator>
-  double interruptible_transformed_distance(const Point& query, Coordinate_iterator begin,
-                                            Coordinate_iterator end, double) const
+  template <typename CoordinateIterator>
+  double interruptible_transformed_distance(const Point& query, CoordinateIterator begin,
+                                            CoordinateIterator end, double) const
   {
     return this->transformed_distance_from_coordinates(query, begin, end);
   }
