@@ -5,7 +5,6 @@
 
 #include <CGAL/Curvature_aware_simplification_3/internal/Scan.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/density/even_density.h>
-#include <CGAL/Curvature_aware_simplification_3/internal/density/lattice_spacing.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/density/sampling_density.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/features/features.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/features/shared_features.h>
@@ -16,6 +15,7 @@
 #include <CGAL/Curvature_aware_simplification_3/internal/parameters/read_parameters.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/samples/Distinct_samples.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/samples/relax_on_surface.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/tools/lattice_spacing.h>
 #include <CGAL/pca_estimate_normals.h>
 
 #include <benchmark/benchmark.h>

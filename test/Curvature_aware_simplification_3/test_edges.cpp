@@ -2,10 +2,10 @@
 
 #include "inputs.h"
 
-#include <CGAL/Curvature_aware_simplification_3/internal/features/bent_points.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/features/features.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/fitting/Neighborhood.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/input/Cloud.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/noise/bent_points.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/projection/fit_fold.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/projection/move_to_corners.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/projection/move_to_edges.h>

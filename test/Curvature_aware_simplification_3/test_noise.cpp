@@ -30,7 +30,7 @@ Noise_levels noise_at_places(const Cloud& cloud,
                              const Adaptive_settings& settings = default_settings)
 {
   return measure_noise<Tag>(cloud.points, *cloud.search,
-                            many_probes(cloud.size(), settings.most_noise_probes), settings);
+                            many_probes(cloud.size(), settings.most_noise_probes), false, settings);
 }
 
 double noise_of(const std::vector<Point>& points)

@@ -4,7 +4,6 @@
 
 #include <CGAL/Curvature_aware_simplification_3/internal/Scan.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/density/even_density.h>
-#include <CGAL/Curvature_aware_simplification_3/internal/density/lattice_spacing.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/density/sampling_density.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/density/scale_to_number.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/density/surface_curvature.h>
@@ -15,6 +14,7 @@
 #include <CGAL/Curvature_aware_simplification_3/internal/tools/Curve_ranges.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/tools/Neighbor_search.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/tools/Uninitialized_vector.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/tools/lattice_spacing.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/tools/median.h>
 
 #include <CGAL/number_type_config.h>

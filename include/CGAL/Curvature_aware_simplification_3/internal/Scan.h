@@ -6,10 +6,10 @@
 #ifndef CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_SCAN_H
 #define CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_SCAN_H
 
-#include <CGAL/Curvature_aware_simplification_3/internal/density/lattice_spacing.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/input/Searchable_points.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/noise/Noise_levels.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/tools/Uninitialized_vector.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/tools/lattice_spacing.h>
 
 #include <cstddef>
 #include <vector>

@@ -11,12 +11,12 @@
 #include <CGAL/Curvature_aware_simplification_3/internal/density/even_density.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/depth/Depth_levels.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/depth/undo_rounding.h>
-#include <CGAL/Curvature_aware_simplification_3/internal/features/bent_points.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/features/features.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/features/shared_features.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/fitting/Surface_fit.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/input/Searchable_points.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/noise/Noise_levels.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/noise/bent_points.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/noise/noise_of_scan.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/outliers/find_outliers.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/outliers/leave_out_outliers.h>

@@ -11,7 +11,6 @@
 #include <CGAL/Curvature_aware_simplification_3/internal/fitting/Neighborhood.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/fitting/are_on_line.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/fitting/principal_axes.h>
-#include <CGAL/Curvature_aware_simplification_3/internal/noise/Layer.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/tools/Curve_ranges.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/tools/Flags.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/tools/Neighbor_search.h>

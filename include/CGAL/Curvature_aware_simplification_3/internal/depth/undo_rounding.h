@@ -9,7 +9,6 @@
 #include <CGAL/Curvature_aware_simplification_3/internal/depth/Depth_levels.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/depth/find_depth_levels.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/input/Searchable_points.h>
-#include <CGAL/Curvature_aware_simplification_3/internal/noise/Noise_levels.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/tools/loops.h>
 
 #include <algorithm>
@@ -83,27 +82,6 @@ Depth_levels undo_rounding(Searchable_points& cloud)
   });
   cloud.rebuild_search<ConcurrencyTag>();
   return levels;
-}
-
-// The noise that rounding leaves, a third of what it caused (the standard deviation of what is
-// rounded away is 0.29 steps): neighbors share it, so that those who measure noise do not see it.
-// With 0.05 or 0.15 instead of 0.1, the mean error of single frames of a camera is 2 % larger;
-// without, 14 %.
-template <typename ConcurrencyTag>
-void allow_for_rounding(Noise_levels& noise, const std::vector<Point>& points,
-                        const Depth_levels& levels)
-{
-  constexpr double error_in_steps = 0.1;
-  for_each_index<ConcurrencyTag>(0, noise.of_range.size(), [&](std::size_t range) {
-    const std::size_t begin = noise.first_point[range], end = noise.first_point[range + 1];
-    if (begin == end)
-      return;
-    const double height = levels.height(points[begin + (end - begin) / 2]);
-    const double error = error_in_steps * levels.step_at(height);
-    Noise& here = noise.of_range[range];
-    here.level = (std::max)(here.level, error);
-    here.independent_level = (std::max)(here.independent_level, error);
-  });
 }
 
 } // namespace internal

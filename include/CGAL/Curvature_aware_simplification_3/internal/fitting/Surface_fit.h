@@ -7,7 +7,7 @@
 #define CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_FITTING_SURFACE_FIT_H
 
 #include <CGAL/Curvature_aware_simplification_3/internal/fitting/Neighborhood.h>
-#include <CGAL/Curvature_aware_simplification_3/internal/noise/Noise_levels.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/fitting/Noise.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/parameters/Adaptive_settings.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/tools/Neighbor_search.h>
 

@@ -12,6 +12,7 @@
 #include <Eigen/Core>
 #include <Eigen/Eigenvalues>
 
+#include <algorithm>
 #include <cmath>
 
 namespace CGAL {
@@ -67,6 +68,22 @@ inline double sine_of_angle(const Vector& u, const Vector& v)
 inline Vector line_direction(const Neighborhood& neighborhood)
 {
   return principal_axis(covariance_sums(neighborhood), 2);
+}
+
+// An eigenvalue of the covariance matrix of a disk is a quarter of the square of its radius.
+inline double radius_of_disk(double lambda)
+{
+  return 2. * std::sqrt((std::max)(lambda, 0.));
+}
+
+// Whether points are as wide as a surface: those on one line of a scan, whose lines are farther
+// apart than the points on them, tell neither a plane nor a quadric, and with noise along a ray of
+// the scanner, they are in a plane across the surface. The width over the length is 0.6 for random
+// points.
+inline bool are_broad(double width, double length)
+{
+  constexpr double broad_enough = 1. / 3.;
+  return width >= broad_enough * length;
 }
 
 } // namespace internal

@@ -21,16 +21,6 @@ namespace CGAL {
 namespace Curvature_aware_simplification_3 {
 namespace internal {
 
-// Whether points are as wide as a surface: those on one line of a scan, whose lines are farther
-// apart than the points on them, tell neither a plane nor a quadric, and with noise along a ray of
-// the scanner, they are in a plane across the surface. The width over the length is 0.6 for random
-// points.
-inline bool are_broad(double width, double length)
-{
-  constexpr double broad_enough = 1. / 3.;
-  return width >= broad_enough * length;
-}
-
 // How points look around a place: a layer with a thickness and an extent
 struct Layer
 {
@@ -51,12 +41,6 @@ inline double thickness(double sum_of_squares, std::size_t n, double number_of_c
   const double d = (std::max)(static_cast<double>(n) - number_of_coefficients, 1.);
   const double root = 1. - 2. / (9. * d);
   return std::sqrt(sum_of_squares / (d * root * root * root));
-}
-
-// An eigenvalue of the covariance matrix of a disk is a quarter of the square of its radius.
-inline double radius_of_disk(double lambda)
-{
-  return 2. * std::sqrt((std::max)(lambda, 0.));
 }
 
 // The k nearest points, around the quadric fitted to them

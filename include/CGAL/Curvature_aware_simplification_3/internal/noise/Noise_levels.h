@@ -6,6 +6,7 @@
 #ifndef CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_NOISE_NOISE_LEVELS_H
 #define CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_NOISE_NOISE_LEVELS_H
 
+#include <CGAL/Curvature_aware_simplification_3/internal/fitting/Noise.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/tools/Curve_ranges.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/tools/median.h>
 
@@ -17,25 +18,6 @@
 namespace CGAL {
 namespace Curvature_aware_simplification_3 {
 namespace internal {
-
-// The noise of the points of one place, as the next stages take them: what is measured, at least
-// what rounding has left of the depth and what columns need, and after the smoothing what is left
-struct Noise
-{
-  double level = 0.; // standard deviation sigma of their distance to the surface
-  // That of independent noise with which a fit to many points would err as much: larger if they
-  // share their noise, as smoothed points do
-  double independent_level = 0.;
-  // Of balls that hold several columns of points, where points are one above the other; otherwise 0
-  double radius_of_columns = 0.;
-  // Before the smoothing, at the distance of the samples: only then is it worth time to reduce it.
-  bool is_visible = false;
-  double visible_error = 0.;    // of a fit, above which it is visible there
-  double input_level = 0.;      // its standard deviation
-  double smoothing_radius = 0.; // of the ball in which a point is smoothed
-};
-
-inline constexpr Noise no_noise = Noise();
 
 // The noise of all points. It grows with the distance from a scanner, and differs from scan to scan
 // and from material to material: each range of the Hilbert curve has its own.

@@ -7,7 +7,7 @@
 #define CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_NOISE_BIAS_OF_NOISE_H
 
 #include <CGAL/Curvature_aware_simplification_3/internal/fitting/Local_surface.h>
-#include <CGAL/Curvature_aware_simplification_3/internal/noise/Noise_levels.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/fitting/Noise.h>
 
 #include <algorithm>
 

@@ -53,7 +53,8 @@ inline Noise noise_of_both(const Noise_around_quadrics& around_quadrics,
 // Standard deviation sigma of the distance of the points to the surface, by place
 template <typename ConcurrencyTag>
 Noise_levels measure_noise(const std::vector<Point>& points, const Neighbor_search& search,
-                           std::size_t number_of_probes, const Adaptive_settings& settings)
+                           std::size_t number_of_probes, bool points_share_errors,
+                           const Adaptive_settings& settings)
 {
   const Noise_probes probes = noise_probes<ConcurrencyTag>(points, number_of_probes);
   Columns columns(probes.of_range.size());
@@ -64,8 +65,8 @@ Noise_levels measure_noise(const std::vector<Point>& points, const Neighbor_sear
         planes_through<ConcurrencyTag>(points_of_ring, probes, all_ranges(probes), search);
     if (settings.find_columns)
       columns = columns_of_ranges<ConcurrencyTag>(probes, search, planes_of_7);
-    around_planes =
-        noise_around_planes<ConcurrencyTag>(probes, search, planes_of_7, columns, settings);
+    around_planes = noise_around_planes<ConcurrencyTag>(probes, search, planes_of_7, columns,
+                                                        points_share_errors, settings);
   }
   const std::vector<Noise_around_quadrics> around_quadrics =
       noise_around_quadrics<ConcurrencyTag>(probes, search, around_planes, columns, settings);

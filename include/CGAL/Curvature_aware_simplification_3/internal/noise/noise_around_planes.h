@@ -35,17 +35,19 @@ struct Noise_around_planes
 
 // The noise of each range that layers around planes show, which reach two thirds as far as those
 // around quadrics: they see only one side of a part that is as thick as 1.6 spacings of the points,
-// and less of details that these hardly show.
+// and less of details that these hardly show. Where points share errors, as what is left of the
+// rounding of depth, a few hide it and set no limit.
 template <typename ConcurrencyTag>
 std::vector<Noise_around_planes>
 noise_around_planes(const Noise_probes& probes, const Neighbor_search& search,
-                    const Planes& planes_of_7, const Columns& columns,
+                    const Planes& planes_of_7, const Columns& columns, bool points_share_errors,
                     const Adaptive_settings& settings)
 {
   // A plane turns along the noise as well: with 5, it shows up to a tenth too little of it.
   constexpr double wide_enough = 6.;
 
   const std::vector<std::size_t> ranges = all_ranges(probes);
+  const bool set_limits = settings.limit_noise_by_planes && !points_share_errors;
   const std::vector<Layer> wide = median_layers<ConcurrencyTag>(
       probes, ranges, search, 2 * points_of_ring, Layer_around_plane());
   std::vector<Noise_around_planes> noise(ranges.size());
@@ -60,7 +62,7 @@ noise_around_planes(const Noise_probes& probes, const Neighbor_search& search,
     here.is_known = !in_columns && narrow.is_broad() && !stands;
     here.level = noise_of_layers(narrow, wide[range]);
     here.is_reliable = here.is_known && narrow.width >= wide_enough * narrow.thickness;
-    if (settings.limit_noise_by_planes && !in_columns && !here.is_reliable)
+    if (set_limits && !in_columns && !here.is_reliable)
       to_limit.push_back(range);
   }
   const std::vector<double> limits =

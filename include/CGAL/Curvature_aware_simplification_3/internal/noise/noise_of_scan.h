@@ -6,15 +6,16 @@
 #ifndef CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_NOISE_NOISE_OF_SCAN_H
 #define CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_NOISE_NOISE_OF_SCAN_H
 
-#include <CGAL/Curvature_aware_simplification_3/internal/density/lattice_spacing.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/depth/Depth_levels.h>
-#include <CGAL/Curvature_aware_simplification_3/internal/depth/undo_rounding.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/noise/Noise_levels.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/noise/Noise_probes.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/noise/measure_noise.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/parameters/Adaptive_settings.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/tools/Neighbor_search.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/tools/lattice_spacing.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/tools/loops.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <vector>
 
@@ -29,20 +30,39 @@ inline double visible_error(double even_density)
   return 0.01 * lattice_spacing(even_density);
 }
 
+// The noise that rounding leaves, a third of what it caused (the standard deviation of what is
+// rounded away is 0.29 steps): neighbors share it, so that those who measure noise do not see it.
+// With 0.05 or 0.15 instead of 0.1, the mean error of single frames of a camera is 2 % larger;
+// without, 14 %.
+template <typename ConcurrencyTag>
+void allow_for_rounding(Noise_levels& noise, const std::vector<Point>& points,
+                        const Depth_levels& levels)
+{
+  constexpr double error_in_steps = 0.1;
+  for_each_index<ConcurrencyTag>(0, noise.of_range.size(), [&](std::size_t range) {
+    const std::size_t begin = noise.first_point[range], end = noise.first_point[range + 1];
+    if (begin == end)
+      return;
+    const double height = levels.height(points[begin + (end - begin) / 2]);
+    const double error = error_in_steps * levels.step_at(height);
+    Noise& here = noise.of_range[range];
+    here.level = (std::max)(here.level, error);
+    here.independent_level = (std::max)(here.independent_level, error);
+  });
+}
+
 // The noise of the points without outliers, and what rounding has left of depth, by place
 template <typename ConcurrencyTag>
 Noise_levels noise_of_scan(const std::vector<Point>& points, const Neighbor_search& search,
                            const Depth_levels& depth_levels, std::size_t number_of_probes,
                            const Adaptive_settings& settings)
 {
-  // Points whose rounding was undone share what is left of it: a few hide it.
-  Adaptive_settings measured = settings;
-  measured.limit_noise_by_planes = settings.limit_noise_by_planes && depth_levels.heights.empty();
+  const bool was_rounded = !depth_levels.heights.empty();
   Noise_levels noise =
       settings.measure_noise
-          ? measure_noise<ConcurrencyTag>(points, search, number_of_probes, measured)
+          ? measure_noise<ConcurrencyTag>(points, search, number_of_probes, was_rounded, settings)
           : uniform_noise(0., points.size());
-  if (!depth_levels.heights.empty())
+  if (was_rounded)
     allow_for_rounding<ConcurrencyTag>(noise, points, depth_levels);
   if (!settings.noise_by_place)
     noise.make_uniform();

@@ -6,10 +6,10 @@
 #ifndef CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_PROJECTION_DENOISE_SAMPLES_H
 #define CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_PROJECTION_DENOISE_SAMPLES_H
 
-#include <CGAL/Curvature_aware_simplification_3/internal/fitting/fits_of_all_sizes.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/fitting/Fit_difference.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/noise/bias_of_noise.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/projection/fits_of_all_sizes.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/samples/Surface_sample.h>
-#include <CGAL/Curvature_aware_simplification_3/internal/smoothing/Fit_difference.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/tools/Progress.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/tools/loops.h>
 

@@ -6,10 +6,10 @@
 #ifndef CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_SAMPLES_SURFACE_SAMPLE_H
 #define CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_SAMPLES_SURFACE_SAMPLE_H
 
+#include <CGAL/Curvature_aware_simplification_3/internal/fitting/Noise.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/fitting/Surface_border.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/fitting/fit_local_surface.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/fitting/is_in_gap.h>
-#include <CGAL/Curvature_aware_simplification_3/internal/noise/Noise_levels.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/tools/loops.h>
 
 #include <cstddef>

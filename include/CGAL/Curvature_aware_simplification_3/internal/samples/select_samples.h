@@ -7,7 +7,6 @@
 #define CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_SAMPLES_SELECT_SAMPLES_H
 
 #include <CGAL/Curvature_aware_simplification_3/internal/Scan.h>
-#include <CGAL/Curvature_aware_simplification_3/internal/density/lattice_spacing.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/density/sampling_density.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/fitting/Surface_fit.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/fitting/fit_to_neighbors.h>
@@ -19,6 +18,7 @@
 #include <CGAL/Curvature_aware_simplification_3/internal/tools/Progress.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/tools/Uninitialized_vector.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/tools/index_selection.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/tools/lattice_spacing.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/tools/loops.h>
 
 #include <cstddef>

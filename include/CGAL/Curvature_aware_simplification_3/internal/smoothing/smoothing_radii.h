@@ -6,13 +6,13 @@
 #ifndef CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_SMOOTHING_SMOOTHING_RADII_H
 #define CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_SMOOTHING_SMOOTHING_RADII_H
 
+#include <CGAL/Curvature_aware_simplification_3/internal/fitting/Fit_difference.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/fitting/Neighborhood.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/fitting/Surface_fit.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/fitting/fit_quadric.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/noise/Noise_levels.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/noise/Noise_probes.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/parameters/Adaptive_settings.h>
-#include <CGAL/Curvature_aware_simplification_3/internal/smoothing/Fit_difference.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/tools/Curve_ranges.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/tools/loops.h>
 

@@ -3,8 +3,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_FITTING_FITS_OF_ALL_SIZES_H
-#define CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_FITTING_FITS_OF_ALL_SIZES_H
+#ifndef CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_PROJECTION_FITS_OF_ALL_SIZES_H
+#define CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_PROJECTION_FITS_OF_ALL_SIZES_H
 
 #include <CGAL/Curvature_aware_simplification_3/internal/fitting/Surface_fit.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/fitting/fit_local_surface.h>
@@ -131,4 +131,4 @@ inline Fits_of_all_sizes fits_of_all_sizes(const Surface_fit& fit, const Surface
 } // namespace Curvature_aware_simplification_3
 } // namespace CGAL
 
-#endif // CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_FITTING_FITS_OF_ALL_SIZES_H
+#endif // CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_PROJECTION_FITS_OF_ALL_SIZES_H

@@ -3,8 +3,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_FEATURES_BENT_POINTS_H
-#define CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_FEATURES_BENT_POINTS_H
+#ifndef CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_NOISE_BENT_POINTS_H
+#define CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_NOISE_BENT_POINTS_H
 
 #include <CGAL/Curvature_aware_simplification_3/internal/features/features.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/features/thick_and_sparse.h>
@@ -40,4 +40,4 @@ Flags bent_points(const Features& features, const Noise_levels& noise)
 } // namespace Curvature_aware_simplification_3
 } // namespace CGAL
 
-#endif // CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_FEATURES_BENT_POINTS_H
+#endif // CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_NOISE_BENT_POINTS_H
