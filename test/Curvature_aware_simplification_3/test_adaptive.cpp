@@ -91,6 +91,36 @@ TEST(Adaptive, lies_on_a_curve)
   }
 }
 
+// Fits to the points of a wire were widened until they held the ground or the next wire as well,
+// and samples were pushed to where there is nothing between these: a third were farther from the
+// wires than their points are from each other, by up to eight times that.
+TEST(Adaptive, lies_on_wires_over_a_ground)
+{
+  CGAL::Random random(43);
+  std::vector<Point> points;
+  const auto add = [&](double x, double y, double z) {
+    const double dx = surfaces::normal_deviate(random), dy = surfaces::normal_deviate(random);
+    points.push_back(Point(x, y, z) + 0.01 * Vector(dx, dy, surfaces::normal_deviate(random)));
+  };
+  const auto height = [](double x) { return 4. + 0.01 * x * x; };
+  for (double x = -10.; x < 10.; x += 0.15)
+    for (double y = -10.; y < 10.; y += 0.15)
+      add(x, y, 0.);
+  for (double x = -10.; x < 10.; x += 0.08)
+    for (double y : {-4., 0., 4.})
+      add(x, y, height(x));
+  std::size_t on_wires = 0, off_wires = 0;
+  for (const Point& p : simplified(points, np::number_of_output_points(1500)))
+  {
+    if (p.z() < 2.)
+      continue;
+    const double y = p.y() - 4. * std::round(p.y() / 4.);
+    ++(std::hypot(y, p.z() - height(p.x())) < 0.04 ? on_wires : off_wires);
+  }
+  EXPECT_GT(on_wires, 100u);
+  EXPECT_LT(off_wires, on_wires / 20);
+}
+
 // Of a closed curve, a fit to nearly all points is as wide as a surface: samples were up to five of
 // their spacings off it. And the points next to one were taken for a column of them, which rises
 // from the plane of the whole curve, and the quarter of its radius for noise: up to eight spacings.

@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <optional>
 
 namespace CGAL {
 namespace Curvature_aware_simplification_3 {
@@ -19,8 +20,9 @@ namespace internal {
 
 // The narrowest surface that can be trusted, around the foot point of x: through as few neighbors
 // as possible, but twice as many as long as they are on one line, which may bend, or noise makes it
-// unknown between two. If even the most are on one line, it is all there is: a curve, for which the
-// narrowest do, and so they do for the next fit to it. `last` is the fit before, if any; `normal` is
+// unknown between two. If even the most are on one line, or what they reach beside it are no other
+// lines of a scan, it is all there is: a curve, for which the narrowest do, and so they do for the
+// next fit to it. `last` is the fit before, if any; `normal` is
 // that of the sample, or the null vector of a point that starts one.
 inline Local_surface fit_local_surface(const Surface_fit& fit, const Point& x, const Vector& normal,
                                        const Local_surface& last, int rounds,
@@ -31,6 +33,7 @@ inline Local_surface fit_local_surface(const Surface_fit& fit, const Point& x, c
     Local_surface surface = fit_to_neighbors(fit, x, normal, center, smallest_neighborhood,
                                              last.neighbors, rounds, neighborhood);
     surface.is_curve = true;
+    surface.origin = point_of_curve(neighborhood, surface.origin);
     return surface;
   };
   if (last.is_curve)
@@ -42,6 +45,7 @@ inline Local_surface fit_local_surface(const Surface_fit& fit, const Point& x, c
                   (std::max)(smallest_neighborhood, fit.search.size() / 3)});
   Vector guess = normal;
   bool is_line = false; // about which the surface turns
+  std::optional<Line_of_points> line;
   for (std::size_t smallest = smallest_neighborhood;;)
   {
     const Local_surface surface =
@@ -50,8 +54,10 @@ inline Local_surface fit_local_surface(const Surface_fit& fit, const Point& x, c
       return surface;
     const std::size_t size = neighborhood.size();
     is_line = is_on_line(fit, surface) || (is_line && is_on_bent_line(neighborhood, surface));
+    if (is_line && !line)
+      line = line_of_points(neighborhood);
     if (!is_line && (size >= largest || !is_between_lines(fit, neighborhood, surface)))
-      return surface;
+      return !line || has_lines_beside(*line, surface.n, fit.search) ? surface : fit_curve();
     if (size >= largest)
       return fit_curve();
     smallest = (std::min)(2 * size - 1, largest); // the center may be one of them
