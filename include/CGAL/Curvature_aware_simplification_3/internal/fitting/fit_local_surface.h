@@ -22,8 +22,8 @@ namespace internal {
 // as possible, but twice as many as long as they are on one line, which may bend, or noise makes it
 // unknown between two. If even the most are on one line, or what they reach beside it are no other
 // lines of a scan, it is all there is: a curve, for which the narrowest do, and so they do for the
-// next fit to it. `last` is the fit before, if any; `normal` is
-// that of the sample, or the null vector of a point that starts one.
+// next fit to it. `last` is the fit before, if any; `normal` is that of the sample, or the null
+// vector of a point that starts one.
 inline Local_surface fit_local_surface(const Surface_fit& fit, const Point& x, const Vector& normal,
                                        const Local_surface& last, int rounds,
                                        Neighborhood& neighborhood)

@@ -97,8 +97,8 @@ inline bool is_on_bent_line(const Neighborhood& neighborhood, const Local_surfac
   return width_across_parabola(all, surface) < least_breadth * surface.length;
 }
 
-// The point beside x of the curve that neighbors are on: their position is a parabola over the way t
-// along them, so that sum w f f^T c = sum w f p^T with f = (1, t, t^2), and c0 is at x.
+// The point beside x of the curve that neighbors are on: their position is a parabola over the way
+// t along them, so that sum w f f^T c = sum w f p^T with f = (1, t, t^2), and c0 is at x.
 inline Point point_of_curve(const Neighborhood& neighborhood, const Point& x)
 {
   if (!(neighborhood.radius > 0.))
@@ -138,23 +138,27 @@ inline Line_of_points line_of_points(const Neighborhood& neighborhood)
 // the lines of a scan. Beside a wire or a pole, there is nothing or, farther away, the ground or
 // another wire. Lines within twice the radius are those of a scan: up to 19 times the distance of
 // the points on them. With 1.5 or 2.5, errors of scans in lines, 2 to 60 times as dense along as
-// across, are the same within 1 %: where lines are farther apart, samples stay on them anyway.
+// across, are the same within 1 %: where lines are farther apart, samples stay on them anyway. So
+// they do where something much denser is in that ball, which may hold any number of points: there
+// is room for eight lines as far apart as half the radius, with 38 points each.
 inline bool has_lines_beside(const Line_of_points& line, const Vector& normal,
                              const Neighbor_search& search)
 {
   constexpr double off_the_line = 0.5, farthest = 2.; // in radii
+  constexpr std::size_t most = 2 * 8 * 38;
   const Vector across = cross_product(normal, line.direction);
+  static thread_local Neighborhood around;
+  around.collect_within(search, line.center, farthest * line.radius, most);
   bool below = false, above = false;
-  search.for_each_within(
-      line.center, farthest * line.radius, [&](std::size_t, const Point& p, double) {
-        const double side = (p - line.center) * across;
-        const double height = (p - line.center) * normal;
-        if (std::abs(side) < off_the_line * line.radius || std::abs(side) < std::abs(height))
-          return;
-        below = below || side < 0.;
-        above = above || side > 0.;
-      });
-  return below && above;
+  for (const Neighborhood::Neighbor& neighbor : around.neighbors)
+  {
+    const double side = neighbor.position * across, height = neighbor.position * normal;
+    const bool is_off =
+        std::abs(side) >= off_the_line * line.radius && std::abs(side) >= std::abs(height);
+    below = below || (is_off && side < 0.);
+    above = above || (is_off && side > 0.);
+  }
+  return below && above && around.size() <= most;
 }
 
 } // namespace internal

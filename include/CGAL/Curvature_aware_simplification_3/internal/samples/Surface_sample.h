@@ -40,9 +40,8 @@ struct Surface_sample
 
   // Fits the surface around x in so many rounds, and puts the sample on it. In a gap of the input,
   // or beside all of it, where that is no more than a guess, it goes back to the nearest point of
-  // the input. Returns the
-  // point of the input that is nearest to the sample. `x` and `guess` may be its own, which the
-  // first fit replaces.
+  // the input. Returns the point of the input that is nearest to the sample. `x` and `guess` may be
+  // its own, which the first fit replaces.
   Point place(const Surface_fit& fit, Point x, Vector guess, int rounds)
   {
     static thread_local Neighborhood neighborhood;
