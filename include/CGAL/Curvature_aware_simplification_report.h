@@ -38,7 +38,8 @@ struct Curvature_aware_simplification_report
 
   /// typical distance of neighboring output points: that of a hexagonal lattice of their mean
   /// density, where the area that an input point represents counts up to that of 0.85 output points, or
-  /// twice its share if that is more, so that a few far points do not matter; or, with the settings of the paper, of the median density of the selected points; the
+  /// twice its share if that is more, so that a few far points do not matter; or, with the settings of
+  /// the paper, of the median density of the selected points; the
   /// nearest of the neighbors is nearer, on four scans at 0.80 to 0.88 of it in the mean
   double output_spacing = 0.;
   /// with the settings of the paper, the radius \f$h\f$ that was used, given or derived; otherwise 0

@@ -122,7 +122,7 @@ TEST(Adaptive, lies_on_wires_over_a_ground)
 }
 
 // Of poles, of which a scanner sees a strip of a few points, fits beside them were no more than a
-// guess: one sample in fifteen was up to half the distance of samples off.
+// guess: one sample in twenty was up to half the distance of samples off.
 TEST(Adaptive, lies_on_poles)
 {
   constexpr double radius = 0.06;

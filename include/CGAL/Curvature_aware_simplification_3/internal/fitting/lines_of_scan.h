@@ -138,9 +138,10 @@ inline Line_of_points line_of_points(const Neighborhood& neighborhood)
 // the lines of a scan. Beside a wire or a pole, there is nothing or, farther away, the ground or
 // another wire. Lines within twice the radius are those of a scan: up to 19 times the distance of
 // the points on them. With 1.5 or 2.5, errors of scans in lines, 2 to 60 times as dense along as
-// across, are the same within 1 %: where lines are farther apart, samples stay on them anyway. So
-// they do where something much denser is in that ball, which may hold any number of points: there
-// is room for eight lines as far apart as half the radius, with 38 points each.
+// across, are the same within 1 %: where lines are farther apart, samples stay on them anyway. Lines
+// nearer than half the radius would have been among the neighbors, which are less than 0.05 as wide
+// as long. So the ball has room for eight lines with 38 points each; if it holds twice as many, it
+// may hold any number, and something much denser is in it, which is no line of the same scan.
 inline bool has_lines_beside(const Line_of_points& line, const Vector& normal,
                              const Neighbor_search& search)
 {

@@ -58,8 +58,8 @@ struct Surface_sample
   }
 
 private:
-  // Whether the height is known less well than that of a point, as beside a pole: there, up to 0.3
-  // of the distance of the samples from it, one in fifteen was. Of a curve, it never is.
+  // Whether the height is known less well than that of a point, as beside a pole: one sample in
+  // twenty was up to half of the spacing off. Across a curve, it is not known, and not asked for.
   bool is_beside_neighbors() const { return surface.amplification > 1. && !surface.is_curve; }
 
   void fit_and_move(const Surface_fit& fit, const Point& x, const Vector& guess, int rounds,
