@@ -9,6 +9,7 @@
 #include <CGAL/Curvature_aware_simplification_3/internal/fitting/Surface_fit.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/fitting/fit_to_neighbors.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/fitting/lines_of_scan.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/fitting/point_of_curve.h>
 
 #include <algorithm>
 #include <cstddef>

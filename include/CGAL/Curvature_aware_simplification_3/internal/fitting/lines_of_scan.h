@@ -8,14 +8,12 @@
 
 #include <CGAL/Curvature_aware_simplification_3/internal/fitting/Local_surface.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/fitting/Neighborhood.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/fitting/Parabola_sums.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/fitting/Surface_fit.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/fitting/fit_quadric.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/fitting/fit_to_neighbors.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/fitting/principal_axes.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/tools/Neighbor_search.h>
-
-#include <Eigen/Cholesky>
-#include <Eigen/Core>
 
 #include <algorithm>
 #include <cmath>
@@ -62,27 +60,23 @@ inline bool is_on_line(const Surface_fit& fit, const Local_surface& surface)
          squared_width < least_breadth * least_breadth * surface.length * surface.length;
 }
 
-// The width across a line that bends in the plane of the surface: of y over a parabola c in x,
-// which is along the line, so that sum w f f^T c = sum w y f with f = (1, x, x^2)
+// The width across a line that bends in the plane of the surface: of y over a parabola in x, which
+// is along the line
 inline double width_across_parabola(const Neighborhood& neighborhood, const Local_surface& surface)
 {
   const Vector along = line_direction(neighborhood);
   const Vector across = cross_product(surface.n, along);
-  Eigen::Matrix3d matrix = Eigen::Matrix3d::Zero();
-  Eigen::Vector3d right = Eigen::Vector3d::Zero();
+  Parabola_sums<1> sums;
   double sum_of_squares = 0.;
   for (const Neighborhood::Neighbor& neighbor : neighborhood.neighbors)
   {
     const double x = neighbor.position * along / neighborhood.radius;
     const double y = neighbor.position * across / neighborhood.radius;
-    const Eigen::Vector3d f(1., x, x * x);
-    matrix += neighbor.weight * f * f.transpose();
-    right += neighbor.weight * y * f;
+    sums.add(x, Parabola_sums<1>::Value(y), neighbor.weight);
     sum_of_squares += neighbor.weight * y * y;
   }
-  const Eigen::Vector3d c = matrix.ldlt().solve(right);
-  const double left = sum_of_squares - c.dot(right);
-  return neighborhood.radius * std::sqrt((std::max)(left, 0.) / matrix(0, 0));
+  const double left = sum_of_squares - sums.coefficients().col(0).dot(sums.right.col(0));
+  return neighborhood.radius * std::sqrt((std::max)(left, 0.) / sums.matrix(0, 0));
 }
 
 // Whether the neighbors are on one line that bends, maybe more than a parabola tells: with as few
@@ -95,29 +89,6 @@ inline bool is_on_bent_line(const Neighborhood& neighborhood, const Local_surfac
   all = neighborhood;
   all.weight_by_distance();
   return width_across_parabola(all, surface) < least_breadth * surface.length;
-}
-
-// The point beside x of the curve that neighbors are on: their position is a parabola over the way
-// t along them, so that sum w f f^T c = sum w f p^T with f = (1, t, t^2), and c0 is at x.
-inline Point point_of_curve(const Neighborhood& neighborhood, const Point& x)
-{
-  if (!(neighborhood.radius > 0.))
-    return x;
-  const Vector along = line_direction(neighborhood);
-  const Vector offset = neighborhood.center - x;
-  Eigen::Matrix3d matrix = Eigen::Matrix3d::Zero(), right = Eigen::Matrix3d::Zero();
-  for (const Neighborhood::Neighbor& neighbor : neighborhood.neighbors)
-  {
-    const Vector p = (neighbor.position + offset) / neighborhood.radius;
-    const double t = p * along;
-    const Eigen::Vector3d f(1., t, t * t);
-    matrix += neighbor.weight * f * f.transpose();
-    right += neighbor.weight * f * Eigen::RowVector3d(p.x(), p.y(), p.z());
-  }
-  const Eigen::RowVector3d c0 = matrix.ldlt().solve(right).row(0);
-  const Vector step(c0.x(), c0.y(), c0.z());
-  // not beyond the neighbors, where a few of them may tell no parabola
-  return step.squared_length() <= 1. ? x + neighborhood.radius * step : x;
 }
 
 // The line that neighbors are on
