@@ -8,7 +8,7 @@ from page import write_table
 
 DEGRADATIONS = ["clean", "sparse", "noise:0.2", "outliers:5", "clusters:5", "density:10", "density:100",
                 "uneven_noise:0.2", "density:100+uneven_noise:1", "scan lines", "noisy scan lines",
-                "depth steps", "frames", "copies", "few points", "dense noise"]
+                "depth steps", "steps of cameras", "frames", "copies", "few points", "dense noise"]
 IDEAS = [
     ("uniform density", "adaptivity=0"),
     ("curvature in balls of half a spacing", "curvature_radius=0.5"),
@@ -25,6 +25,7 @@ IDEAS = [
     ("first steps no longer than the last", "length_of_first_steps=1"),
     ("samples may cross borders", "keep_borders=0"),
     ("steps of the depth taken for faces", "undo_rounding=0"),
+    ("steps of the depth of several cameras taken for faces", "tell_cameras=0"),
     ("copies of places not merged", "merge_copies=0"),
     ("outliers not looked for", "find_outliers=0"),
     ("clusters not taken for outliers", "find_clusters=0"),
@@ -84,6 +85,10 @@ def cases(igea, meshes):
                 # 30,000 points; steps of 2 to 3 of their spacings
                 yield degradation, Case(source, source, "noise:0.1+depth:1", percentage=10, sample=30000)
                 continue
+            if degradation == "steps of cameras":
+                # the same, each point as one of three cameras sees it
+                yield degradation, Case(source, source, "noise:0.1+cameras:1", percentage=10, sample=30000)
+                continue
             if degradation == "frames":
                 # 10,000 points ten times, with noise of a third of their spacing; percentage of the 10,000
                 yield degradation, Case(source, source, "frames:0.3", percentage=10, sample=10000)
@@ -139,7 +144,8 @@ def ablation(comparison, igea, meshes, output):
             "*Sparse*: 1 % of the points. *Scan lines*: 1,500 of 20,000 points on lines that are four "
             "times as far apart as these, with noise; *noisy* ones with noise along the rays that is as large as the "
             "distance of the points on a line. *Depth steps*: 30,000 points with a noise of "
-            "0.1 %, whose depth is then rounded to steps of 1 %. *Frames*: each of 10,000 points ten "
+            "0.1 %, whose depth is then rounded to steps of 1 %, along one axis, or (*steps of cameras*) "
+            "each along one of three. *Frames*: each of 10,000 points ten "
             "times, with a noise of 0.3 % along one direction. *Copies*: each of 10,000 points twenty times, with a "
             "noise of 0.01 %. *Few points*: 900 of 6,000, with a noise of "
             "0.1 %. *Dense noise*: 2,500 of 400,000, with a noise of 1.5 %. Of the tree with *density 100*, "

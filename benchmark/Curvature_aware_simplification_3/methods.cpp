@@ -224,6 +224,7 @@ Setting with_parameters(const std::string& parameters)
         static_cast<std::decay_t<decltype(setting)>>(number(name, static_cast<double>(setting)));
   };
   set("undo_rounding", settings.undo_rounding);
+  set("tell_cameras", settings.tell_cameras);
   set("merge_copies", settings.merge_copies);
   set("find_outliers", settings.find_outliers);
   set("measure_noise", settings.measure_noise);

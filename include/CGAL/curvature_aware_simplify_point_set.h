@@ -25,7 +25,7 @@ to tune. This is the curvature-aware simplification of \cgalCite{cgal:curvature-
 a locally optimal projection started from a curvature-aware random selection, made to adapt to its
 input:
 
--# Where depth was rounded to steps, as by a depth camera, points are moved back to between them.
+-# Where depth was rounded to steps, as by one or several depth cameras, points are moved back to between them.
 -# Copies of a place, as of a scanner at rest and in files that differ by rounding, are replaced by their
    mean, unless fewer than \f$N\f$ points, or than 57, would be left.
 -# Outliers are found: points that few others have among their \f$k\f$ nearest neighbors, points that are

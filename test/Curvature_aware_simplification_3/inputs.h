@@ -161,6 +161,44 @@ std::vector<Point> depth_frame(int n, double step, const Depth& depth)
   return points;
 }
 
+inline Vector unit_vector(double x, double y, double z)
+{
+  return Vector(x, y, z) / std::sqrt(x * x + y * y + z * z);
+}
+
+inline const std::vector<Vector> axes_of_cameras = {
+    unit_vector(1., 2., 4.), unit_vector(-3., 1., 4.), unit_vector(1., -4., 5.)};
+
+inline Point rounded_along(const Vector& axis, const Point& p, double step)
+{
+  const double depth = (p - CGAL::ORIGIN) * axis;
+  return p + (step * std::round(depth / step) - depth) * axis;
+}
+
+// Points of waves, one spacing apart, each as one of some cameras sees it; camera(point) is which
+template <typename Camera>
+std::vector<Point> seen_by_cameras(double step, const Camera& camera)
+{
+  CGAL::Random random(71);
+  std::vector<Point> points;
+  for (int i = 0; i < 30000; ++i)
+  {
+    const double x = random.uniform_real(0., 173.), y = random.uniform_real(0., 173.);
+    const Point p(x, y, waves(x, y));
+    points.push_back(rounded_along(axes_of_cameras[camera(p)], p, step));
+  }
+  return points;
+}
+
+// Each camera sees a strip of 100, and the strips overlap by a third of that.
+inline std::size_t camera_of_strip(const Point& p)
+{
+  const std::size_t strip = static_cast<std::size_t>(p.x() * 5. / 173.);
+  const std::size_t first = (std::min)(strip / 2, std::size_t(2));
+  const bool is_either = strip % 2 == 1;
+  return is_either && std::fmod(1000. * p.y(), 1.) < 0.5 ? first + 1 : first;
+}
+
 // Random points on both sides of a square plate, which is so many of their spacings thick
 inline std::vector<Point> thin_plate(double thickness_in_spacings)
 {

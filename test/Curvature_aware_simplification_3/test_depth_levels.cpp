@@ -21,7 +21,9 @@ using namespace inputs;
 
 Depth_levels depth_levels_of(const std::vector<Point>& points)
 {
-  return find_depth_levels<Tag>(points, Neighbor_search(points, Tag()), 0.);
+  const Neighbor_search search(points, Tag());
+  const std::vector<Facet> facets = some_facets<Tag>(points, search);
+  return find_depth_levels<Tag>(points, search, facets, thickness_of_flat_facets(facets, 0.));
 }
 
 TEST(Depth_levels, have_heights_and_gaps)
@@ -49,17 +51,25 @@ TEST(Depth_levels, have_heights_and_gaps)
   EXPECT_EQ(levels.level_of(100.), 20u);
   EXPECT_EQ(levels.step_at(9.), 0.5); // in the jump, as for level 9
   EXPECT_EQ(levels.step_at(-1.), 0.5);
-  EXPECT_EQ(levels.typical_step(), 0.5);
+  EXPECT_EQ(levels.number_of_points, 200u);
+  EXPECT_TRUE(are_many(levels));
+  EXPECT_EQ(typical_step({levels}), 0.5);
+  EXPECT_EQ(typical_step({}), 0.);
+  EXPECT_EQ(typical_step({Depth_levels(), Depth_levels()}), 0.);
 
-  // outliers between the levels are a tenth of the points, and one more is too many
+  // outliers between the levels are no levels
   for (int i = 0; i < 22; ++i)
     points.emplace_back(0.1 + 0.0713 * i, 0., 0.);
-  EXPECT_EQ(levels_along<Tag>(x, 0.001, points).heights.size(), 20u);
-  points.emplace_back(0.12, 0., 0.);
-  EXPECT_TRUE(levels_along<Tag>(x, 0.001, points).heights.empty());
+  EXPECT_EQ(levels_along<Tag>(x, 0.001, points).heights, levels.heights);
+  EXPECT_EQ(levels_along<Tag>(x, 0.001, points).number_of_points, 200u);
   points.resize(on_levels - 110); // 9 levels
-  EXPECT_TRUE(levels_along<Tag>(x, 0.01, points).heights.empty());
-  EXPECT_EQ(Depth_levels().typical_step(), 0.);
+  EXPECT_FALSE(are_many(levels_along<Tag>(x, 0.01, points)));
+}
+
+TEST(Depth_levels, hold_nine_tenths_of_the_points)
+{
+  EXPECT_TRUE(are_most(90, 100));
+  EXPECT_FALSE(are_most(89, 100));
 }
 
 // The squares of distances below 1e-162 are 0, and so is the step of a level between two jumps.
@@ -90,18 +100,18 @@ TEST(Depth_levels, are_found_in_frames_of_a_depth_camera)
     const Depth_levels levels = depth_levels_of(frame);
     ASSERT_FALSE(levels.heights.empty()) << step;
     EXPECT_NEAR(std::abs(levels.direction.z()), 1., 1e-14);
-    EXPECT_NEAR(levels.typical_step(), step, 1e-12);
+    EXPECT_NEAR(typical_step({levels}), step, 1e-12);
 
     const Depth_levels of_turned = depth_levels_of(each(frame, turned));
     EXPECT_EQ(of_turned.heights.size(), levels.heights.size());
-    EXPECT_NEAR(of_turned.typical_step(), step, 1e-12);
+    EXPECT_NEAR(typical_step({of_turned}), step, 1e-12);
 
     // coordinates in single precision
     const Depth_levels rounded = depth_levels_of(each(each(frame, turned), [](const Point& p) {
       return Point(static_cast<float>(p.x()), static_cast<float>(p.y()), static_cast<float>(p.z()));
     }));
     EXPECT_EQ(rounded.heights.size(), levels.heights.size());
-    EXPECT_NEAR(rounded.typical_step(), step, 1e-4);
+    EXPECT_NEAR(typical_step({rounded}), step, 1e-4);
   }
 }
 
@@ -286,8 +296,8 @@ TEST(Rounding_of_depth, leaves_a_tenth_of_a_step)
       return std::sqrt(sum / static_cast<double>(cloud.size())) / step;
     };
     EXPECT_NEAR(error(), std::sqrt(1. / 12.), 0.02);
-    const Depth_levels levels = undo_rounding<Tag>(cloud);
-    EXPECT_FALSE(levels.heights.empty());
+    const std::vector<Depth_levels> levels = undo_rounding<Tag>(cloud, default_settings);
+    ASSERT_EQ(levels.size(), 1u);
     EXPECT_LT(error(), 0.15) << step; // borders of steps are known to half a spacing
     // the search knows where the points are now
     cloud.search->for_each_nearest(cloud.points[5], 1, [&](std::size_t i, const Point& p, double) {
@@ -297,7 +307,7 @@ TEST(Rounding_of_depth, leaves_a_tenth_of_a_step)
 
     Noise_levels noise = uniform_noise(0., cloud.size());
     allow_for_rounding<Tag>(noise, cloud.points, levels);
-    EXPECT_NEAR(noise.of_range[0].level, 0.1 * levels.typical_step(), 1e-12);
+    EXPECT_NEAR(noise.of_range[0].level, 0.1 * typical_step(levels), 1e-12);
     EXPECT_EQ(noise.of_range[0].independent_level, noise.of_range[0].level);
     noise = uniform_noise(step, cloud.size());
     allow_for_rounding<Tag>(noise, cloud.points, levels);

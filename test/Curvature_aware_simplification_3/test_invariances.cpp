@@ -115,6 +115,8 @@ const Input all_inputs[] = {
     {"lines of a scan", 600, lines, [](const Report& r) { return r.noise_level > 0.5; }},
     {"depth in steps", 900, [] { return depth_frame(200, 3., waves); },
      [](const Report& r) { return r.depth_step > 2.9; }},
+    {"depth in steps of three cameras", 900, [] { return seen_by_cameras(3., camera_of_strip); },
+     [](const Report& r) { return r.depth_step > 2.9; }},
     {"frames of a scanner at rest", 500, [] { return frames_of_a_scanner_at_rest(50, 8, 0.5, 12); },
      [](const Report& r) { return r.noise_level > 0.3; }},
     {"copies of places", 300, copies_of_places,

@@ -360,8 +360,7 @@ TEST(Thinning, ends_where_noise_is_not_too_dense)
   const double sigma = cloud.frame.length_to_frame(0.01);
   const auto thin = [&](std::size_t number_of_samples) {
     Noise_levels noise = uniform_noise(sigma, cloud.size());
-    return thin_dense_noise<Tag>(cloud, noise, Depth_levels(), 0., number_of_samples,
-                                 Adaptive_settings());
+    return thin_dense_noise<Tag>(cloud, noise, {}, 0., number_of_samples, Adaptive_settings());
   };
   EXPECT_FALSE(thin(220000)); // two points for each
   EXPECT_EQ(cloud.size(), size);

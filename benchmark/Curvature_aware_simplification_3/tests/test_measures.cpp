@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <string>
@@ -130,6 +131,22 @@ TEST(Degradations, do_what_they_say)
   EXPECT_EQ(steps[0], Point(0., 0., 0.));
   EXPECT_NEAR(steps[1].x(), 2. + (7. - 26. / std::sqrt(14.)) / std::sqrt(14.), 1e-12);
   EXPECT_NEAR(steps[1].z(), 6. + 3. * (7. - 26. / std::sqrt(14.)) / std::sqrt(14.), 1e-12);
+  // the same along one of three directions
+  const Points cameras = degraded(points, "cameras:10", 1);
+  for (std::size_t i = 0; i < points.size(); ++i)
+    EXPECT_LE(std::sqrt(CGAL::squared_distance(cameras[i], points[i])), 0.05 * unit * (1. + 1e-12));
+  std::array<std::size_t, 3> on_steps = {0, 0, 0};
+  const std::array<Vector, 3> axes = {Vector(1., 2., 3.) / std::sqrt(14.),
+                                      Vector(-4., 1., 1.) / std::sqrt(18.),
+                                      Vector(2., -3., -2.) / std::sqrt(17.)};
+  for (const Point& p : cameras)
+    for (std::size_t camera = 0; camera < 3; ++camera)
+    {
+      const double depth = axes[camera] * (p - CGAL::ORIGIN) / (0.1 * unit);
+      on_steps[camera] += std::abs(depth - std::round(depth)) < 1e-9 ? 1 : 0;
+    }
+  EXPECT_EQ(on_steps[0] + on_steps[1] + on_steps[2], points.size());
+  EXPECT_GT(*std::min_element(on_steps.begin(), on_steps.end()), points.size() / 5);
   // ten times the same, but along (1, 2, 3)
   const Points frames = degraded({Point(0., 0., 0.), Point(2., 3., 6.)}, "frames:10", 1);
   ASSERT_EQ(frames.size(), 20u);

@@ -4,9 +4,11 @@
 #include <comparison/types.h>
 
 #include <CGAL/Random.h>
+#include <CGAL/centroid.h>
 #include <CGAL/number_type_config.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <stdexcept>
@@ -183,6 +185,28 @@ inline Points with_rounded_depth(Points points, double step)
   return points;
 }
 
+// The same as of three depth cameras that were merged. Each sees its side, with a quarter of the size
+// where either of two sees a point.
+inline Points with_depth_of_cameras(Points points, double step, CGAL::Random& random)
+{
+  const double size = diagonal(points);
+  const std::array<Vector, 3> directions = {oblique_direction(),
+                                            Vector(-4., 1., 1.) / std::sqrt(18.),
+                                            Vector(2., -3., -2.) / std::sqrt(17.)};
+  const Point center = CGAL::centroid(points.begin(), points.end());
+  for (Point& p : points)
+  {
+    std::array<double, 3> nearness;
+    for (std::size_t camera = 0; camera < 3; ++camera)
+      nearness[camera] = directions[camera] * (p - center) + random.uniform_real(0., 0.25) * size;
+    const Vector& direction = directions[static_cast<std::size_t>(
+        std::max_element(nearness.begin(), nearness.end()) - nearness.begin())];
+    const double depth = direction * (p - CGAL::ORIGIN);
+    p = p + (step * size * std::round(depth / (step * size)) - depth) * direction;
+  }
+  return points;
+}
+
 // Each point ten times, as of a scanner at rest, with Gaussian noise of standard deviation `sigma`
 // along its direction
 inline Points with_frames(const Points& points, double sigma, CGAL::Random& random)
@@ -220,8 +244,8 @@ inline Points with_shift(Points points, double distance, CGAL::Random& random)
 
 // By name: clean, noise:PERCENT, uneven_noise:PERCENT, outliers:PERCENT, clusters:PERCENT,
 // density:FACTOR, hole:PERCENT, duplicates:PERCENT, lines:PERCENT, range_noise:PERCENT,
-// rounding:PERCENT, depth:PERCENT, frames:PERCENT, copies:PERCENT, shift:PERCENT, or several of them
-// one after the other, as in density:10+noise:0.2
+// rounding:PERCENT, depth:PERCENT, cameras:PERCENT, frames:PERCENT, copies:PERCENT, shift:PERCENT,
+// or several of them one after the other, as in density:10+noise:0.2
 inline Points degraded(const Points& points, const std::string& degradation, unsigned int seed)
 {
   const std::size_t plus = degradation.find('+');
@@ -256,6 +280,8 @@ inline Points degraded(const Points& points, const std::string& degradation, uns
     return with_rounding(points, value / 100.);
   if (name == "depth")
     return with_rounded_depth(points, value / 100.);
+  if (name == "cameras")
+    return with_depth_of_cameras(points, value / 100., random);
   if (name == "frames")
     return with_frames(points, value / 100., random);
   if (name == "copies")

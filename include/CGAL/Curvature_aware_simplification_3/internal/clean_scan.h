@@ -45,7 +45,8 @@ namespace internal {
 // left.
 template <typename ConcurrencyTag, typename DiagonalizeTraits>
 Noise_levels noise_and_enough_points(Searchable_points& cloud, Features& features, double& density,
-                                     const Depth_levels& depth_levels, const Parameters& parameters,
+                                     const std::vector<Depth_levels>& depth_levels,
+                                     const Parameters& parameters,
                                      const Adaptive_settings& settings, const Progress& progress)
 {
   const auto noise_at = [&](std::size_t number_of_places) {
@@ -78,11 +79,11 @@ Scan clean_scan(Searchable_points cloud, const Frame& frame, const Parameters& p
   const std::size_t number_of_samples = parameters.number_of_output_points;
 
   Stopwatch stopwatch;
-  Depth_levels depth_levels;
+  std::vector<Depth_levels> depth_levels; // of each camera
   if (settings.undo_rounding)
-    depth_levels = undo_rounding<ConcurrencyTag>(cloud);
+    depth_levels = undo_rounding<ConcurrencyTag>(cloud, settings);
   progress.report(0.08);
-  report.depth_step = frame.length_from_frame(depth_levels.typical_step());
+  report.depth_step = frame.length_from_frame(typical_step(depth_levels));
   if (settings.merge_copies)
     report.number_of_merged_points =
         merge_copies<ConcurrencyTag>(cloud, number_of_samples, progress.part(0.08, 0.1));

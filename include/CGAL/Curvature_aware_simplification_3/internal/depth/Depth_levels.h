@@ -30,6 +30,7 @@ struct Depth_levels
   double tolerance = 0.; // of a point to the height of its level
   std::vector<double> heights;
   std::vector<double> gap_above; // to the next level; 0 where there is none, or a jump of the depth
+  std::size_t number_of_points = 0; // on the levels
 
   double height(const Point& p) const { return (p - ORIGIN) * direction; }
   double gap_below(std::size_t level) const { return level > 0 ? gap_above[level - 1] : 0.; }
@@ -43,15 +44,6 @@ struct Depth_levels
     return (std::max)(gap_above[level], gap_below(level));
   }
 
-  // The median of all, or 0 if there are none
-  double typical_step() const
-  {
-    std::vector<double> steps;
-    std::copy_if(gap_above.begin(), gap_above.end(), std::back_inserter(steps),
-                 [](double gap) { return gap > 0.; });
-    return steps.empty() ? 0. : median(steps);
-  }
-
   // The level that holds the height, or the number of levels
   std::size_t level_of(double height) const
   {
@@ -61,6 +53,16 @@ struct Depth_levels
                : heights.size();
   }
 };
+
+// The median of all steps of some cameras, or 0 if there are none
+inline double typical_step(const std::vector<Depth_levels>& cameras)
+{
+  std::vector<double> steps;
+  for (const Depth_levels& levels : cameras)
+    std::copy_if(levels.gap_above.begin(), levels.gap_above.end(), std::back_inserter(steps),
+                 [](double gap) { return gap > 0.; });
+  return steps.empty() ? 0. : median(steps);
+}
 
 // Steps that are much larger than those around are no rounding: there, the depth jumps from one
 // part to another. Steps may be that different if depth was rounded twice, as to the steps of a
@@ -84,18 +86,13 @@ inline std::vector<double> gaps_without_jumps(const std::vector<double>& heights
   return result;
 }
 
-// The levels along a direction that hold several points each. Empty where they hold too few of all,
-// or are too few: then, they may be faces of a part. Smooth surfaces, however dense, are one level
-// at most, since then the heights of all points follow each other closely.
+// The levels along a direction that hold several points each. Smooth surfaces, however dense, are
+// one level at most, since then the heights of all points follow each other closely.
 template <typename ConcurrencyTag>
 Depth_levels levels_along(const Vector& direction, double tolerance,
                           const std::vector<Point>& points)
 {
-  constexpr std::size_t fewest_points = 8, fewest_levels = 10;
-  // The others may be outliers, or on the fronts of stairs: where a surface is 10 degrees oblique,
-  // steps are 5.7 times as wide as high, and fronts have a seventh of the points. With 0.8, 34 of
-  // 360 clean stairs are taken for levels, with 0.9 none.
-  constexpr double least_share = 0.9;
+  constexpr std::size_t fewest_points = 8;
 
   Depth_levels levels;
   levels.direction = direction;
@@ -104,7 +101,6 @@ Depth_levels levels_along(const Vector& direction, double tolerance,
   for_each_index<ConcurrencyTag>(0, points.size(),
                                  [&](std::size_t i) { heights[i] = levels.height(points[i]); });
   sort<ConcurrencyTag>(heights);
-  std::size_t points_on_levels = 0;
   for (std::size_t begin = 0, end = 0; begin < heights.size(); begin = end)
   {
     for (end = begin + 1; end < heights.size() && heights[end] - heights[end - 1] <= tolerance;)
@@ -112,14 +108,28 @@ Depth_levels levels_along(const Vector& direction, double tolerance,
     if (end - begin >= fewest_points)
     {
       levels.heights.push_back(heights[begin + (end - begin) / 2]);
-      points_on_levels += end - begin;
+      levels.number_of_points += end - begin;
     }
   }
-  if (levels.heights.size() < fewest_levels ||
-      static_cast<double>(points_on_levels) < least_share * static_cast<double>(points.size()))
-    return Depth_levels();
   levels.gap_above = gaps_without_jumps(levels.heights);
   return levels;
+}
+
+// Fewer may be faces of a part.
+inline bool are_many(const Depth_levels& levels)
+{
+  constexpr std::size_t fewest_levels = 10;
+  return levels.heights.size() >= fewest_levels;
+}
+
+// Of so many points, those on levels, of rounded depth. The others may be outliers, or on the
+// fronts of stairs: where a surface is 10 degrees oblique, steps are 5.7 times as wide as high, and
+// fronts have a seventh of the points. With 0.8, 34 of 360 clean stairs are taken for levels, with
+// 0.9 none.
+inline bool are_most(std::size_t points_on_levels, std::size_t points)
+{
+  constexpr double least_share = 0.9;
+  return static_cast<double>(points_on_levels) >= least_share * static_cast<double>(points);
 }
 
 } // namespace internal

@@ -8,7 +8,9 @@
 
 #include <CGAL/Curvature_aware_simplification_3/internal/depth/Depth_levels.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/depth/find_depth_levels.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/depth/find_depth_views.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/input/Searchable_points.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/parameters/Adaptive_settings.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/tools/loops.h>
 
 #include <algorithm>
@@ -66,22 +68,47 @@ inline double rounded_away(const Point& p, const Depth_levels& levels,
 }
 
 // Moves points whose depth was rounded to steps to where they were before, as far as the borders of
-// the steps tell. Without that, steps look like flat faces with sharp edges. Returns the steps. O(n
-// log n)
+// the steps tell. The search has copies of the points, which stay where they are.
 template <typename ConcurrencyTag>
-Depth_levels undo_rounding(Searchable_points& cloud)
+void move_between_levels(std::vector<Point>& points, const Depth_levels& levels,
+                         const Neighbor_search& search)
 {
-  std::vector<Point>& points = cloud.points;
-  Depth_levels levels =
-      find_depth_levels<ConcurrencyTag>(points, *cloud.search, cloud.coordinate_error);
-  if (levels.heights.empty())
-    return levels;
-  // the search has copies of the points, which stay where they are
   for_each_index<ConcurrencyTag>(0, points.size(), [&](std::size_t i) {
-    points[i] = points[i] + rounded_away(points[i], levels, *cloud.search) * levels.direction;
+    points[i] = points[i] + rounded_away(points[i], levels, search) * levels.direction;
   });
+}
+
+// Undoes the rounding of depth, by several cameras or by one, if there was any. Without that, steps
+// look like flat faces with sharp edges. Returns the levels of each camera. O(n log n)
+template <typename ConcurrencyTag>
+std::vector<Depth_levels> undo_rounding(Searchable_points& cloud, const Adaptive_settings& settings)
+{
+  const std::vector<Facet> facets = some_facets<ConcurrencyTag>(cloud.points, *cloud.search);
+  const double tolerance = thickness_of_flat_facets(facets, cloud.coordinate_error);
+  std::vector<Depth_levels> result;
+  std::vector<Depth_view> views;
+  if (settings.tell_cameras)
+    views = find_depth_views<ConcurrencyTag>(cloud.points, *cloud.search, facets, tolerance,
+                                             cloud.coordinate_error);
+  for (Depth_view& view : views)
+  {
+    move_between_levels<ConcurrencyTag>(view.points, view.levels, *view.search);
+    for_each_index<ConcurrencyTag>(0, view.points.size(), [&](std::size_t i) {
+      cloud.points[view.indices[i]] = view.points[i];
+    });
+    result.push_back(view.levels);
+  }
+  if (result.empty())
+  {
+    const Depth_levels levels =
+        find_depth_levels<ConcurrencyTag>(cloud.points, *cloud.search, facets, tolerance);
+    if (levels.heights.empty())
+      return result;
+    move_between_levels<ConcurrencyTag>(cloud.points, levels, *cloud.search);
+    result.push_back(levels);
+  }
   cloud.rebuild_search<ConcurrencyTag>();
-  return levels;
+  return result;
 }
 
 } // namespace internal

@@ -18,6 +18,8 @@ struct Adaptive_settings
 {
   // Steps that depth was rounded to are undone, instead of taken for faces.
   bool undo_rounding = true;
+  // Also where several cameras rounded depth, each along its own axis.
+  bool tell_cameras = true;
   // Copies of a place are merged.
   bool merge_copies = true;
   // Outliers are removed.

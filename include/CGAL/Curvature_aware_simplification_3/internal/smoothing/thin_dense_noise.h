@@ -97,7 +97,7 @@ std::vector<std::size_t> points_against_noise(const std::vector<double>& part_of
 // it again, until few would be left out. Returns whether any are.
 template <typename ConcurrencyTag>
 bool thin_dense_noise(Searchable_points& cloud, Noise_levels& noise,
-                      const Depth_levels& depth_levels, double visible_error,
+                      const std::vector<Depth_levels>& depth_levels, double visible_error,
                       std::size_t number_of_samples, const Adaptive_settings& settings)
 {
   constexpr double worth_it = 0.1; // of the points: for fewer, all would be measured again
