@@ -55,6 +55,7 @@ IDEAS = [
     ("noise along bent surfaces left in the samples", "correct_bias_of_noise=0"),
     ("noisy samples not pushed apart once more", "even_out=0"),
     ("fits not corrected by points", "correct_by_points=0"),
+    ("samples on wide fits left far from points", "stay_near_points=0"),
     ("samples not moved to sharp edges", "move_to_edges=0"),
     ("samples not moved into corners of borders", "move_to_corners=0"),
 ]

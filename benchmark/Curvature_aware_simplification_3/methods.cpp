@@ -263,6 +263,7 @@ Setting with_parameters(const std::string& parameters)
   set("points_of_widest_fit", settings.points_of_widest_fit);
   set("missed_shape", settings.missed_shape);
   set("correct_by_points", settings.correct_by_points);
+  set("stay_near_points", settings.stay_near_points);
   set("move_to_edges", settings.move_to_edges);
   set("move_to_corners", settings.move_to_corners);
   for (const auto& value : values)

@@ -5,6 +5,7 @@
 #include <CGAL/Curvature_aware_simplification_3/internal/fitting/Neighborhood.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/projection/correct_by_points.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/projection/denoise_samples.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/projection/stay_near_points.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/samples/Sample_neighbors.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/samples/relax_on_surface.h>
 
@@ -263,6 +264,50 @@ TEST(Correction, is_of_what_noise_does_not_explain)
   EXPECT_FALSE(is_missed(x, Point(0.5, 0., 0.08)));
   x.spacing = 10.; // those that are far sparser than the points do not
   EXPECT_FALSE(is_missed(x, Point(0.5, 0., 0.09)));
+}
+
+TEST(Samples_on_wide_fits, stay_near_points)
+{
+  const Neighbor_search search({Point(0., 0., 0.), Point(5., 0., 0.)}, Tag());
+  Surface_sample x;
+  x.point = Point(0., 0., 1.);
+  x.spacing = 1.;
+  x.surface.radius = 3.1;
+  x.surface.neighbors = 37;
+  const auto stays = [&](const Surface_sample& sample) {
+    std::vector<Surface_sample> samples(1, sample);
+    stay_near_points<Tag>(samples, search);
+    EXPECT_TRUE(samples[0].point == sample.point || samples[0].point == Point(0., 0., 0.));
+    return samples[0].point == sample.point;
+  };
+  EXPECT_FALSE(stays(x));
+  Surface_sample other = x;
+  other.point = Point(0., 0., 0.34);
+  EXPECT_TRUE(stays(other));
+  other.point = Point(0., 0., 0.36);
+  EXPECT_FALSE(stays(other));
+  other = x;
+  other.surface.radius = 2.9; // no wider than three spacings
+  EXPECT_TRUE(stays(other));
+  other = x;
+  other.surface.neighbors = 36; // not widened
+  EXPECT_TRUE(stays(other));
+  other = x;
+  other.surface.is_curve = true;
+  EXPECT_TRUE(stays(other));
+  // noise asks for fits of 7 sigma: three times that is 2.9 and 3.2
+  Noise noise;
+  other = x;
+  other.noise = &noise;
+  noise.input_level = 0.14;
+  EXPECT_FALSE(stays(other));
+  noise.input_level = 0.15;
+  EXPECT_TRUE(stays(other));
+  noise.input_level = 0.;
+  noise.level = 0.49; // of the points, after the smoothing: it is as near as twice that
+  EXPECT_FALSE(stays(other));
+  noise.level = 0.51;
+  EXPECT_TRUE(stays(other));
 }
 
 } // namespace

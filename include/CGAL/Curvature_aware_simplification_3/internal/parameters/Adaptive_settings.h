@@ -134,6 +134,8 @@ struct Adaptive_settings
   // Without outliers, points of the input are on the surface but for noise, and correct fits that
   // miss them.
   bool correct_by_points = true;
+  // Samples on fits that are much wider than samples are apart stay near points of the input.
+  bool stay_near_points = true;
   // Samples next to a sharp edge are moved onto it.
   bool move_to_edges = true;
   // Samples next to a corner of an open surface are moved into it.

@@ -15,6 +15,7 @@
 #include <CGAL/Curvature_aware_simplification_3/internal/projection/even_out_samples.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/projection/move_to_corners.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/projection/move_to_edges.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/projection/stay_near_points.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/samples/Sample_neighbors.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/samples/Surface_sample.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/tools/Computation_kernel.h>
@@ -48,6 +49,8 @@ void project_samples(std::vector<Surface_sample>& samples, const Sample_neighbor
                                      progress.part(0.75, 0.8));
   if (fitter.settings.correct_by_points && !scan.had_more_than_a_few_outliers)
     correct_by_points<ConcurrencyTag>(samples, nearest, neighbors, *scan.search);
+  if (fitter.settings.stay_near_points)
+    stay_near_points<ConcurrencyTag>(samples, *scan.search);
   if (fitter.settings.move_to_edges)
     move_to_edges<ConcurrencyTag>(samples, neighbors, fitter, scan.bent_points,
                                   progress.part(0.8, 0.93));
