@@ -11,7 +11,6 @@
 #include <CGAL/Curvature_aware_simplification_3/internal/tools/Neighbor_search.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/tools/loops.h>
 
-#include <algorithm>
 #include <cstddef>
 #include <vector>
 
@@ -25,26 +24,25 @@ namespace internal {
 // them, where hardly any points are expected and no gap is seen.
 inline bool is_wider_than_samples_show(const Surface_sample& x)
 {
-  // With 2 spacings, errors are 1 to 3 % larger on scan lines and where density is uneven.
+  // With 2 spacings, errors are 1 to 3 % larger on scan lines and where density is uneven; with
+  // visible noise, up to 2 %.
   constexpr double radius_in_spacings = 3.;
-  constexpr double radius_over_that_of_noise = 3.;
-  return !x.surface.is_curve && x.surface.neighbors >= 2 * smallest_neighborhood - 1 &&
-         x.surface.radius > radius_in_spacings * x.spacing &&
-         x.surface.radius >
-             radius_over_that_of_noise * smallest_radius_in_noise * x.noise->input_level;
+  return !x.surface.is_curve && !x.noise->is_visible &&
+         x.surface.neighbors >= 2 * smallest_neighborhood - 1 &&
+         x.surface.radius > radius_in_spacings * x.spacing;
 }
 
 // Of samples on such fits, those that are not near a point of the input go to the nearest one.
 template <typename ConcurrencyTag>
 void stay_near_points(std::vector<Surface_sample>& samples, const Neighbor_search& input)
 {
-  constexpr double near_in_spacings = 0.35, near_in_noise = 2.;
+  constexpr double near_in_spacings = 0.35;
   for_each_index<ConcurrencyTag>(0, samples.size(), [&](std::size_t i) {
     Surface_sample& x = samples[i];
     if (!is_wider_than_samples_show(x))
       return;
     const Point nearest = input.nearest(x.point);
-    const double limit = (std::max)(near_in_spacings * x.spacing, near_in_noise * x.noise->level);
+    const double limit = near_in_spacings * x.spacing;
     if (squared_distance(nearest, x.point) > limit * limit)
       x.point = nearest;
   });
