@@ -20,9 +20,9 @@ namespace CGAL {
 namespace Curvature_aware_simplification_3 {
 namespace internal {
 
-// Whether most of the facets with that normal are oblique to the surface, as it is where 128 points
-// show it. Those of 2 to 5 cameras are for four of five at least, faces of a part only next to its
-// edges, and smooth parts that are flat from one point to the next for one of seven.
+// Whether a third of the facets with that normal are oblique to the surface, as 256 points show it:
+// of the facets on steps of 2 to 6 cameras, four of five are at least, of the faces of a part those
+// next to its edges, of smooth parts that are flat from one point to the next one of a hundred.
 inline bool are_oblique(const std::vector<Facet>& facets, const Vector& normal, double tolerance,
                         const Neighbor_search& search)
 {
