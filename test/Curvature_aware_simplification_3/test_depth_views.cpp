@@ -2,7 +2,9 @@
 
 #include "inputs.h"
 
+#include <CGAL/Curvature_aware_simplification_3/internal/depth/Crossings.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/depth/find_depth_views.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/depth/levels_of_cameras.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/depth/undo_rounding.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/input/Cloud.h>
 
@@ -252,6 +254,11 @@ TEST(Rounding_of_depth, is_undone_for_each_camera)
     Noise_levels noise = uniform_noise(0., cloud.size());
     allow_for_rounding<Tag>(noise, cloud.points, levels);
     EXPECT_NEAR(noise.of_range[0].level, 0.1 * typical_step(levels), 1e-12);
+    std::vector<Depth_levels> with_larger_steps = levels;
+    for (double& gap : with_larger_steps[1].gap_above)
+      gap *= 2.;
+    allow_for_rounding<Tag>(noise, cloud.points, with_larger_steps);
+    EXPECT_NEAR(noise.of_range[0].level, 0.2 * typical_step(levels), 1e-12);
 
     Adaptive_settings settings;
     settings.tell_cameras = false;

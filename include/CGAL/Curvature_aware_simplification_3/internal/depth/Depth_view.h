@@ -29,7 +29,8 @@ struct Depth_view
   std::unique_ptr<Neighbor_search> search; // among these
 };
 
-// Faces of a part may have as many, but these do not cross each other.
+// Faces of a part may have as many, but these do not cross each other. With 10, as for one camera,
+// a scan of 6,556 points was not recognized, which are too few for more.
 inline constexpr std::size_t fewest_levels_of_view = 6;
 
 // For flags that tell the view that a point is in

@@ -3,8 +3,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_DEPTH_DO_LEVELS_CROSS_H
-#define CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_DEPTH_DO_LEVELS_CROSS_H
+#ifndef CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_DEPTH_CROSSINGS_H
+#define CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_DEPTH_CROSSINGS_H
 
 #include <CGAL/Curvature_aware_simplification_3/internal/depth/Depth_levels.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/depth/Depth_view.h>
@@ -41,7 +41,8 @@ struct Crossings
 
   // Of the possible ones, 0.35 to 0.9 were found in scans of two to six cameras, none on stairs and
   // folded sheets, and up to 0.06 on pyramids of steps, whose treads go around the corners. Of
-  // faces, six of ten or more have others around; if one of four has, cameras see different parts.
+  // faces, six of ten or more have others around; if less than one of four has, cameras see different
+  // parts.
   bool are_of_cameras() const { return 6 * found >= possible || 4 * possible < facets; }
 };
 
@@ -106,4 +107,4 @@ Crossings crossings_of(std::size_t view, const std::vector<Facet>& facets,
 } // namespace Curvature_aware_simplification_3
 } // namespace CGAL
 
-#endif // CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_DEPTH_DO_LEVELS_CROSS_H
+#endif // CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_DEPTH_CROSSINGS_H
