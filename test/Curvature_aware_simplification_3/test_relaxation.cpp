@@ -5,6 +5,7 @@
 #include <CGAL/Curvature_aware_simplification_3/internal/fitting/Neighborhood.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/projection/correct_by_points.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/projection/denoise_samples.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/projection/separate_copies.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/projection/stay_near_points.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/samples/Sample_neighbors.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/samples/relax_on_surface.h>
@@ -212,7 +213,7 @@ TEST(Correction, by_one_point_moves_the_nearest_sample_and_fills_a_gap_with_the_
 
 // Samples at the place of another fill gaps, whatever brought them there, each its own: samples
 // before were not looked at again, and three filled neighboring places.
-TEST(Correction, puts_samples_at_the_place_of_another_into_gaps_of_their_own)
+TEST(Copies, of_a_sample_fill_gaps_of_their_own)
 {
   std::vector<Point> points;
   for (int x = 0; x < 19; ++x)
@@ -231,7 +232,7 @@ TEST(Correction, puts_samples_at_the_place_of_another_into_gaps_of_their_own)
     Sample_neighbors neighbors;
     neighbors.search(places, 3, Tag());
     const Neighbor_search search(points, Tag());
-    correct_by_points<Tag>(samples, places, neighbors, search);
+    separate_copies<Tag>(samples, neighbors, search);
     EXPECT_EQ(samples[0].point, points[0]);
     EXPECT_EQ(samples[1].point, points[18]);
     EXPECT_EQ(samples[2].point, points[9]);
@@ -239,6 +240,32 @@ TEST(Correction, puts_samples_at_the_place_of_another_into_gaps_of_their_own)
                 samples[3].point == points[13] || samples[3].point == points[14])
         << samples[3].point;
   }
+}
+
+// Two that were far from each other when neighbors were looked for went to the same point.
+TEST(Copies, are_found_where_they_are_no_neighbors)
+{
+  std::vector<Point> points;
+  for (int x = 0; x < 19; ++x)
+    points.emplace_back(x, 0., 0.);
+  std::vector<Surface_sample> samples(4);
+  std::vector<Point> before;
+  for (std::size_t i = 0; i < 4; ++i)
+  {
+    samples[i].point = points[6 * i];
+    samples[i].spacing = 6.;
+    before.push_back(samples[i].point);
+  }
+  Sample_neighbors neighbors;
+  neighbors.search(before, 1, Tag());
+  const Neighbor_search search(points, Tag());
+  separate_copies<Tag>(samples, neighbors, search);
+  for (std::size_t i = 0; i < 4; ++i)
+    EXPECT_EQ(samples[i].point, points[6 * i]);
+  samples[3].point = points[0];
+  separate_copies<Tag>(samples, neighbors, search);
+  EXPECT_EQ(samples[0].point, points[0]);
+  EXPECT_EQ(samples[3].point, points[18]);
 }
 
 TEST(Correction, is_of_what_noise_does_not_explain)

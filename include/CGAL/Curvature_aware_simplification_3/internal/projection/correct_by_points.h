@@ -6,7 +6,7 @@
 #ifndef CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_PROJECTION_CORRECT_BY_POINTS_H
 #define CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_PROJECTION_CORRECT_BY_POINTS_H
 
-#include <CGAL/Curvature_aware_simplification_3/internal/fitting/Surface_fit.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/projection/fill_gaps.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/samples/Sample_neighbors.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/samples/Surface_sample.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/tools/Neighbor_search.h>
@@ -55,65 +55,18 @@ double squared_distance_to_samples(const Point& p, const Neighbors& neighbors,
   return result;
 }
 
-// Of the points of the input around a sample, the one that is farthest from all samples and from
-// the points that are `taken` since these were listed; the place of the sample itself if all are
-inline Point point_in_largest_gap(const Surface_sample& x, const Neighbor_search& samples,
-                                  const std::set<Point>& taken, const Neighbor_search& input)
-{
-  std::vector<Point> around, taken_around;
-  input.for_each_nearest(x.point, smallest_neighborhood, [&](std::size_t, const Point& p, double) {
-    (taken.count(p) == 0 ? around : taken_around).push_back(p);
-  });
-  Point result = x.point;
-  double largest = 0.;
-  for (const Point& p : around)
-  {
-    double gap = squared_distance(p, samples.nearest(p));
-    for (const Point& other : taken_around)
-      gap = (std::min)(gap, squared_distance(p, other));
-    if (gap > largest)
-    {
-      largest = gap;
-      result = p;
-    }
-  }
-  return result;
-}
-
-// Samples at the place of one before them, from which no direction leads away: many on curves,
-// where they come to the same gap and go back to the same point, or stop at the same end.
-template <typename ConcurrencyTag>
-std::vector<std::size_t> copies_of_others(const std::vector<Surface_sample>& samples,
-                                          const Sample_neighbors& neighbors)
-{
-  // In spacings: of copies on curves, nine of ten are within 1e-6, the others within 1e-3; of
-  // random points on a sphere, no two samples are within 0.01.
-  constexpr double same_place = 1e-3;
-  return indices_where<ConcurrencyTag>(samples.size(), [&](std::size_t i) {
-    const double limit = same_place * samples[i].spacing;
-    for (std::size_t j : neighbors.of(i))
-      if (j < i && squared_distance(samples[i].point, samples[j].point) <= limit * limit)
-        return true;
-    return false;
-  });
-}
-
 // Moves samples whose fits miss the points that are nearest to them there, if no other sample is at
-// such a point. Where several would move to it, the nearest of them does; the others, one after the
-// other, fill gaps. There are hardly more points than samples where that happens, so that each that
-// is used twice leaves one out. Samples at the place of another fill gaps as well.
+// such a point. Where several would move to it, the nearest of them does; the others fill gaps.
+// There are hardly more points than samples where that happens, so that each that is used twice
+// leaves one out.
 template <typename ConcurrencyTag>
 void correct_by_points(std::vector<Surface_sample>& samples, const std::vector<Point>& nearest,
                        const Sample_neighbors& neighbors, const Neighbor_search& input)
 {
   constexpr double same_place = 0.1; // in spacings: two samples there show no more than one
 
-  const std::vector<std::size_t> copies = copies_of_others<ConcurrencyTag>(samples, neighbors);
-  std::vector<std::size_t> missed =
-      indices_where<ConcurrencyTag>(samples.size(), [&](std::size_t i) {
-        return is_missed(samples[i], nearest[i]) &&
-               !std::binary_search(copies.begin(), copies.end(), i);
-      });
+  std::vector<std::size_t> missed = indices_where<ConcurrencyTag>(
+      samples.size(), [&](std::size_t i) { return is_missed(samples[i], nearest[i]); });
   const auto distance_and_index = [&](std::size_t i) {
     return std::make_pair(squared_distance(samples[i].point, nearest[i]), i);
   };
@@ -121,7 +74,7 @@ void correct_by_points(std::vector<Surface_sample>& samples, const std::vector<P
     return distance_and_index(i) < distance_and_index(j);
   });
   std::set<Point> taken; // by samples that may be no neighbors
-  std::vector<std::size_t> late = copies;
+  std::vector<std::size_t> late;
   for (std::size_t i : missed)
   {
     const Point point = input.nearest(nearest[i]); // exactly, and not relative to the sample
@@ -132,14 +85,7 @@ void correct_by_points(std::vector<Surface_sample>& samples, const std::vector<P
     else
       late.push_back(i);
   }
-  if (late.empty())
-    return;
-  const Neighbor_search search(points_of<ConcurrencyTag>(samples), ConcurrencyTag());
-  for (std::size_t i : late)
-  {
-    samples[i].point = point_in_largest_gap(samples[i], search, taken, input);
-    taken.insert(samples[i].point);
-  }
+  fill_gaps<ConcurrencyTag>(samples, late, input);
 }
 
 } // namespace internal

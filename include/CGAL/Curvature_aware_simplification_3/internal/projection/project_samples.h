@@ -15,6 +15,7 @@
 #include <CGAL/Curvature_aware_simplification_3/internal/projection/even_out_samples.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/projection/move_to_corners.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/projection/move_to_edges.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/projection/separate_copies.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/projection/stay_near_points.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/samples/Sample_neighbors.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/samples/Surface_sample.h>
@@ -56,6 +57,7 @@ void project_samples(std::vector<Surface_sample>& samples, const Sample_neighbor
                                   progress.part(0.8, 0.93));
   if (fitter.settings.move_to_corners)
     move_to_corners<ConcurrencyTag>(samples, neighbors, fitter, progress.part(0.93, 1.));
+  separate_copies<ConcurrencyTag>(samples, neighbors, *scan.search);
 }
 
 } // namespace internal
