@@ -37,7 +37,8 @@ grows with the square of the curvature: with neighborhoods of radius \f$r\f$, it
 of the method of \cgalCite{cgal:curvature-aware-simplification} (section 4.1, step 1).
 
 Points that are exact duplicates of each other are counted once in every neighborhood, and get the
-same value. Values below the rounding error of the coordinates are set to 0.
+same value. Values below the rounding error of the coordinates are set to 0: that of floats, if all
+of them may have been floats.
 
 The complexity is \f$O(n (\log n + k))\f$ for \f$n\f$ points.
 

@@ -15,13 +15,17 @@
 #include <CGAL/number_utils.h>
 #include <CGAL/property_map.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
+#include <cstring>
 #include <iterator>
 #include <limits>
 #include <stdexcept>
 #include <string>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -56,13 +60,6 @@ std::size_t number_of_elements(const Range& range)
 // The machine number nearest to the caller's number type: an exact one is read as a double.
 template <typename FT>
 using Machine_number = std::conditional_t<std::is_same<FT, float>::value, float, double>;
-
-// The relative error that a coordinate has by rounding alone
-template <typename FT>
-constexpr double relative_rounding_error()
-{
-  return static_cast<double>(std::numeric_limits<Machine_number<FT>>::epsilon());
-}
 
 template <typename FT>
 constexpr double largest_coordinate()
@@ -107,14 +104,35 @@ std::vector<Point> read_coordinates(const PointRange& points, const PointMap& po
   return coordinates;
 }
 
+// Whether a number has no more digits than a float: 23 of the 52 bits behind its point. To convert
+// it to float and back would tell as well, but g++ 12 leaves that out where it vectorizes.
+inline bool has_digits_of_float(double x)
+{
+  std::uint64_t bits;
+  std::memcpy(&bits, &x, sizeof bits);
+  return bits % (std::uint64_t(1) << (52 - 23)) == 0;
+}
+
+// The relative error that coordinates have by rounding alone. Most files of scans have floats,
+// whatever kernel they are read into.
+inline double relative_rounding_error(const std::vector<Point>& coordinates)
+{
+  const bool are_floats = std::all_of(coordinates.begin(), coordinates.end(), [](const Point& p) {
+    return has_digits_of_float(p.x()) && has_digits_of_float(p.y()) && has_digits_of_float(p.z());
+  });
+  return are_floats ? static_cast<double>(std::numeric_limits<float>::epsilon())
+                    : std::numeric_limits<double>::epsilon();
+}
+
 // What the stages see of a point range
 template <typename ConcurrencyTag, typename PointRange, typename NamedParameters>
 Cloud read_cloud(const PointRange& points, const NamedParameters& np, const Progress& progress)
 {
   using Types = Input_types<PointRange, NamedParameters>;
-  return make_cloud<ConcurrencyTag>(
-      internal::read_coordinates(points, Types::NP_helper::get_const_point_map(points, np)),
-      relative_rounding_error<typename Types::Geom_traits::FT>(), progress);
+  std::vector<Point> coordinates =
+      internal::read_coordinates(points, Types::NP_helper::get_const_point_map(points, np));
+  const double relative_error = relative_rounding_error(coordinates);
+  return make_cloud<ConcurrencyTag>(std::move(coordinates), relative_error, progress);
 }
 
 } // namespace internal
