@@ -49,7 +49,7 @@ struct Curvature_aware_simplification_report
   double maximum_surface_variation = 0.;
 
   /// typical step to which the depth of the points was rounded, as by a depth camera, and which was undone; 0 if
-  /// they show none. The median of the steps of all cameras, where they differ.
+  /// they show none. The median over the points, where steps differ by place; of several cameras, the largest step there.
   double depth_step = 0.;
   /// number of distinct input points that were taken for outliers and left out; copies of a place count once
   std::size_t number_of_outliers = 0;

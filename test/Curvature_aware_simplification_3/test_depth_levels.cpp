@@ -53,9 +53,8 @@ TEST(Depth_levels, have_heights_and_gaps)
   EXPECT_EQ(levels.step_at(-1.), 0.5);
   EXPECT_EQ(levels.number_of_points, 200u);
   EXPECT_TRUE(are_many(levels));
-  EXPECT_EQ(typical_step({levels}), 0.5);
-  EXPECT_EQ(typical_step({}), 0.);
-  EXPECT_EQ(typical_step({Depth_levels(), Depth_levels()}), 0.);
+  EXPECT_EQ(typical_step<Tag>(points, {levels}), 0.5);
+  EXPECT_EQ(typical_step<Tag>(points, {}), 0.);
 
   // outliers between the levels are no levels
   for (int i = 0; i < 22; ++i)
@@ -100,18 +99,18 @@ TEST(Depth_levels, are_found_in_frames_of_a_depth_camera)
     const Depth_levels levels = depth_levels_of(frame);
     ASSERT_FALSE(levels.heights.empty()) << step;
     EXPECT_NEAR(std::abs(levels.direction.z()), 1., 1e-14);
-    EXPECT_NEAR(typical_step({levels}), step, 1e-12);
+    EXPECT_NEAR(typical_step<Tag>(frame, {levels}), step, 1e-12);
 
     const Depth_levels of_turned = depth_levels_of(each(frame, turned));
     EXPECT_EQ(of_turned.heights.size(), levels.heights.size());
-    EXPECT_NEAR(typical_step({of_turned}), step, 1e-12);
+    EXPECT_NEAR(typical_step<Tag>(each(frame, turned), {of_turned}), step, 1e-12);
 
     // coordinates in single precision
     const Depth_levels rounded = depth_levels_of(each(each(frame, turned), [](const Point& p) {
       return Point(static_cast<float>(p.x()), static_cast<float>(p.y()), static_cast<float>(p.z()));
     }));
     EXPECT_EQ(rounded.heights.size(), levels.heights.size());
-    EXPECT_NEAR(typical_step({rounded}), step, 1e-4);
+    EXPECT_NEAR(typical_step<Tag>(each(frame, turned), {rounded}), step, 1e-4);
   }
 }
 
@@ -307,7 +306,7 @@ TEST(Rounding_of_depth, leaves_a_tenth_of_a_step)
 
     Noise_levels noise = uniform_noise(0., cloud.size());
     allow_for_rounding<Tag>(noise, cloud.points, levels);
-    EXPECT_NEAR(noise.of_range[0].level, 0.1 * typical_step(levels), 1e-12);
+    EXPECT_NEAR(noise.of_range[0].level, 0.1 * typical_step<Tag>(cloud.points, levels), 1e-12);
     EXPECT_EQ(noise.of_range[0].independent_level, noise.of_range[0].level);
     noise = uniform_noise(step, cloud.size());
     allow_for_rounding<Tag>(noise, cloud.points, levels);

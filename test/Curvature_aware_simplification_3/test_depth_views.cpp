@@ -135,6 +135,27 @@ TEST(Depth_views, cross_where_cameras_see_the_same)
   EXPECT_TRUE((Crossings{5, 1, 0}.are_of_cameras())); // they see different parts
 }
 
+// Pixels in rows: the points of one camera are in rows for another, too, which took each for a
+// level where these were on no level yet, and steps were 1/12 of their size.
+TEST(Depth_views, have_no_levels_between_steps)
+{
+  constexpr double step = 3.;
+  const Vector axes[2] = {unit_vector(0., 0., 1.), unit_vector(0.5, 0., 0.9)};
+  std::vector<Point> points;
+  for (const Vector& axis : axes)
+    for (int i = 0; i < 150; ++i)
+      for (int j = 0; j < 150; ++j)
+      {
+        const double x = i, y = j;
+        points.push_back(
+            rounded_along(axis, Point(x, y, 0.5 * x + 0.3 * y + 15. * std::sin(x / 25.)), step));
+      }
+  const std::vector<Depth_view> views = depth_views_of(points);
+  ASSERT_EQ(views.size(), 2u);
+  for (const Depth_view& view : views)
+    EXPECT_NEAR(typical_step<Tag>(view.points, {view.levels}), step, 1e-9);
+}
+
 TEST(Depth_views, are_found_in_merged_frames)
 {
   const auto any = [](const Point& p) {
@@ -153,7 +174,7 @@ TEST(Depth_views, are_found_in_merged_frames)
       std::size_t in_views = 0;
       for (const Depth_view& view : views)
       {
-        EXPECT_NEAR(typical_step({view.levels}), step, 1e-9);
+        EXPECT_NEAR(typical_step<Tag>(view.points, {view.levels}), step, 1e-9);
         EXPECT_EQ(view.points.size(), view.indices.size());
         in_views += view.indices.size();
         const auto is_axis = [&](const Vector& axis) {
@@ -253,12 +274,12 @@ TEST(Rounding_of_depth, is_undone_for_each_camera)
     // by place, the largest step of a camera there
     Noise_levels noise = uniform_noise(0., cloud.size());
     allow_for_rounding<Tag>(noise, cloud.points, levels);
-    EXPECT_NEAR(noise.of_range[0].level, 0.1 * typical_step(levels), 1e-12);
+    EXPECT_NEAR(noise.of_range[0].level, 0.1 * typical_step<Tag>(cloud.points, levels), 1e-12);
     std::vector<Depth_levels> with_larger_steps = levels;
     for (double& gap : with_larger_steps[1].gap_above)
       gap *= 2.;
     allow_for_rounding<Tag>(noise, cloud.points, with_larger_steps);
-    EXPECT_NEAR(noise.of_range[0].level, 0.2 * typical_step(levels), 1e-12);
+    EXPECT_NEAR(noise.of_range[0].level, 0.2 * typical_step<Tag>(cloud.points, levels), 1e-12);
 
     Adaptive_settings settings;
     settings.tell_cameras = false;

@@ -9,6 +9,7 @@
 #include <CGAL/Curvature_aware_simplification_3/internal/tools/Computation_kernel.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/tools/loops.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/tools/median.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/tools/median_of_some.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/tools/sort.h>
 
 #include <CGAL/Origin.h>
@@ -54,14 +55,26 @@ struct Depth_levels
   }
 };
 
-// The median of all steps of some cameras, or 0 if there are none
-inline double typical_step(const std::vector<Depth_levels>& cameras)
+// The step at a place: of several cameras, that with the largest steps there tells it.
+inline double step_at(const Point& p, const std::vector<Depth_levels>& cameras)
 {
-  std::vector<double> steps;
+  double step = 0.;
   for (const Depth_levels& levels : cameras)
-    std::copy_if(levels.gap_above.begin(), levels.gap_above.end(), std::back_inserter(steps),
-                 [](double gap) { return gap > 0.; });
-  return steps.empty() ? 0. : median(steps);
+    step = (std::max)(step, levels.step_at(levels.height(p)));
+  return step;
+}
+
+// The median step at points, and not of levels, a few of which may be rows of the pixels of another
+// camera; 0 without cameras
+template <typename ConcurrencyTag>
+double typical_step(const std::vector<Point>& points, const std::vector<Depth_levels>& cameras)
+{
+  constexpr std::size_t enough = 1000;
+  return cameras.empty()
+             ? 0.
+             : median_of_some<ConcurrencyTag>(points.size(), enough, [&](std::size_t i) {
+                 return step_at(points[i], cameras);
+               });
 }
 
 // Steps that are much larger than those around are no rounding: there, the depth jumps from one

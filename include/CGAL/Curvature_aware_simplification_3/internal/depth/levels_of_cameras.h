@@ -20,6 +20,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <iterator>
 #include <limits>
 #include <vector>
 
@@ -140,30 +141,45 @@ std::vector<Depth_levels> levels_of_cameras(const std::vector<Point>& points,
   return result;
 }
 
+// Whether a height is on no level, but next to one by clearly less than a step, or than half of one
+// where every other level is known
+inline bool is_between_steps(const Depth_levels& levels, double height)
+{
+  const auto above = std::lower_bound(levels.heights.begin(), levels.heights.end(), height);
+  constexpr double too_near = 0.4; // of a step
+  const auto is_near = [&](double level) {
+    const double distance = std::abs(height - level);
+    return distance > levels.tolerance && distance < too_near * levels.step_at(level);
+  };
+  return (above != levels.heights.end() && is_near(*above)) ||
+         (above != levels.heights.begin() && is_near(*std::prev(above)));
+}
+
 // Levels that no facet has shown, as where a surface is steep, are added: each camera has those of
-// its points together with the points that are on no level.
+// its points together with the points that are on no level, and not between its steps.
 template <typename ConcurrencyTag>
 void add_steep_levels(std::vector<Depth_levels>& levels, const std::vector<Point>& points,
                       double least_tolerance)
 {
   // The others are at any height. One of twenty has another so near to it by chance, and eight in a
-  // row hardly ever are.
+  // row hardly ever are. But where pixels are in rows, so are these.
   constexpr double by_chance = 0.05;
   const Flags view_of_point = views_of_points<ConcurrencyTag>(points, levels);
   const std::size_t others = indices_of<ConcurrencyTag>(in_no_view, view_of_point).size();
   for (std::size_t view = 0; view < levels.size() && others > 0; ++view)
   {
+    const Depth_levels known = levels[view];
     const std::vector<std::size_t> indices =
         indices_where<ConcurrencyTag>(points.size(), [&](std::size_t i) {
-          return view_of_point[i] == view || view_of_point[i] == in_no_view;
+          return view_of_point[i] == view || (view_of_point[i] == in_no_view &&
+                                              !is_between_steps(known, known.height(points[i])));
         });
-    const double range = levels[view].heights.back() - levels[view].heights.front();
+    const double range = known.heights.back() - known.heights.front();
     const double chance = by_chance * range / static_cast<double>(others);
-    const double tolerance = levels[view].tolerance;
-    levels[view] = levels_along<ConcurrencyTag>(levels[view].direction,
-                                                (std::clamp)(chance, least_tolerance, tolerance),
-                                                elements_at<ConcurrencyTag>(indices, points));
-    levels[view].tolerance = tolerance;
+    levels[view] = levels_along<ConcurrencyTag>(
+        known.direction, (std::clamp)(chance, least_tolerance, known.tolerance),
+        elements_at<ConcurrencyTag>(indices, points));
+    levels[view].tolerance = known.tolerance;
   }
 }
 

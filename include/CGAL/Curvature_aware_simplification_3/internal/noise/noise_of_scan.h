@@ -33,7 +33,7 @@ inline double visible_error(double even_density)
 // The noise that rounding leaves, a third of what it caused (the standard deviation of what is
 // rounded away is 0.29 steps): neighbors share it, so that those who measure noise do not see it.
 // With 0.05 or 0.15 instead of 0.1, the mean error of single frames of a camera is 2 % larger;
-// without, 14 %. Of several cameras, that with the largest steps there tells it.
+// without, 14 %.
 template <typename ConcurrencyTag>
 void allow_for_rounding(Noise_levels& noise, const std::vector<Point>& points,
                         const std::vector<Depth_levels>& levels)
@@ -44,10 +44,7 @@ void allow_for_rounding(Noise_levels& noise, const std::vector<Point>& points,
     if (begin == end)
       return;
     const Point& p = points[begin + (end - begin) / 2];
-    double step = 0.;
-    for (const Depth_levels& of_camera : levels)
-      step = (std::max)(step, of_camera.step_at(of_camera.height(p)));
-    const double error = error_in_steps * step;
+    const double error = error_in_steps * step_at(p, levels);
     Noise& here = noise.of_range[range];
     here.level = (std::max)(here.level, error);
     here.independent_level = (std::max)(here.independent_level, error);
