@@ -44,9 +44,10 @@ input:
    borders.
 -# Where there is noise, samples move towards fits to more neighbors, as far as noise explains the
    difference, and then push each other apart once more.
--# If at most \f$3 + M / 1000\f$ points were found to be outliers, samples whose fits miss the nearest
-   points, as on thin parts, by more than noise explains move to these. Samples next to a sharp edge
-   are moved onto it, and those next to a corner of the border of an open surface into the corner.
+-# If no more than three points and one in 1000 were found to be outliers, copies counted once,
+   samples whose fits miss the nearest points, as on thin parts, by more than noise explains move to
+   these. Samples next to a sharp edge are moved onto it, and those next to a corner of the border of an
+   open surface into the corner. Of samples that came to the same place, all but one go to where none is.
 
 Fewer than 57 distinct points, outliers not counted, are too few to fit a surface to. Some of these are
 selected evenly along the space-filling curve and none is moved any more; of the parameters, only the
@@ -170,8 +171,8 @@ the radius \f$h\f$, the time is \f$O(M (\log M + k) + i N (\log M + n))\f$, with
                           computed}
     \cgalParamType{an integer from 2 to 4294967295}
     \cgalParamDefault{`16`}
-    \cgalParamExtra{Clusters of up to eight times as many outliers are found, if they are farther from all
-                    else than so many neighbors reach. More neighbors make the surface variation robust
+    \cgalParamExtra{Clusters of up to 32 times as many outliers are found, if they are farther from all else
+                    than they are wide. More neighbors make the surface variation robust
                     against noise and blind to details smaller than the neighborhood. With less than about 8,
                     points of clean surfaces look like outliers: of random points on a torus 8 % with 2, 2 %
                     with 3, 0.15 % with 5. Three points are always in a plane: with 2, neither edges nor
