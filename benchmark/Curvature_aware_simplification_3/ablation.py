@@ -44,6 +44,7 @@ IDEAS = [
     ("points that are dense against noise not thinned", "thin_dense_noise=0"),
     ("points not smoothed first", "smooth_points=0"),
     ("points smoothed around themselves, not their foot points", "smooth_around_foot_points=0"),
+    ("thin parts smoothed as others", "spare_thin_parts=0"),
     ("points smoothed in the same balls whatever the shape", "smooth_by_shape=0"),
     ("points smoothed all the same where fits miss the shape",
      "residuals_explained_by_noise=1e300"),

@@ -245,6 +245,7 @@ Setting with_parameters(const std::string& parameters)
   set("thin_dense_noise", settings.thin_dense_noise);
   set("correct_bias_of_noise", settings.correct_bias_of_noise);
   set("smooth_around_foot_points", settings.smooth_around_foot_points);
+  set("spare_thin_parts", settings.spare_thin_parts);
   set("smooth_by_shape", settings.smooth_by_shape);
   set("residuals_explained_by_noise", settings.residuals_explained_by_noise);
   set("weight_of_height", settings.weight_of_height);

@@ -8,6 +8,7 @@
 #include <CGAL/Curvature_aware_simplification_3/internal/simplify_point_set.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/smoothing/smooth_points.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/smoothing/smoothing_radii.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/smoothing/spare_thin_parts.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/smoothing/thin_dense_noise.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/smoothing/thin_points.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/tools/Neighbor_search.h>
@@ -241,6 +242,63 @@ TEST(Smoothing_radius, keeps_details)
   };
   EXPECT_NEAR(part_lost(false), 0.43, 0.05);
   EXPECT_LT(part_lost(true), 0.31);
+}
+
+// Two sheets 2 a apart have residuals of sigma^2 + a^2 around the plane between them: 3.25 sigma^2
+// with a = 1.5 sigma. In the ball, whose weights count the middle more, it is 2.
+TEST(Thin_parts, are_smoothed_less)
+{
+  const double sigma = 0.005, a = 1.5 * sigma;
+  const auto part_taken_for_noise = [&](double height, double radius_of_columns, bool is_visible) {
+    std::vector<Point> points = surfaces::square(60000, 94);
+    for (std::size_t i = 0; i < points.size(); ++i)
+      points[i] = points[i] + Vector(0., 0., i % 2 == 0 ? height : -height);
+    const Cloud cloud = cloud_of(with_noise(points, sigma, 95), 0.);
+    const double scale = cloud.frame.length_to_frame(sigma);
+    Noise_levels noise{std::vector<Noise>(8, Noise{scale, scale, radius_of_columns}), cloud.size()};
+    for (Noise& here : noise.of_range)
+      here.is_visible = is_visible;
+    spare_thin_parts<Tag>(noise, cloud.points, *cloud.search, default_settings);
+    for (const Noise& here : noise.of_range)
+    {
+      EXPECT_EQ(here.independent_level, here.level);
+      EXPECT_NEAR(here.level, noise.of_range[0].level, 0.05 * scale);
+    }
+    return noise.of_range[0].level / scale;
+  };
+  EXPECT_EQ(part_taken_for_noise(0., 0., true), 1.); // one sheet
+  EXPECT_NEAR(part_taken_for_noise(a, 0., true), std::sqrt(1.1 / 2.), 0.04);
+  EXPECT_EQ(part_taken_for_noise(a, 0.1, true), 1.); // balls must hold columns
+  EXPECT_EQ(part_taken_for_noise(a, 0., false), 1.); // not smoothed
+}
+
+// A bar 4 sigma thick became a round one: the mean distance from its axis, over half of its thickness,
+// is the mean of sqrt(1 + u^2), u from 0 to 1, and that of its inscribed circle 1.
+TEST(Thin_parts, keep_their_thickness)
+{
+  const double sigma = 0.01, half = 2. * sigma;
+  CGAL::Random random(96);
+  std::vector<Point> points;
+  for (int i = 0; i < 20000; ++i)
+  {
+    const double x = random.uniform_real(0., 1.), y = random.uniform_real(-half, half);
+    const double z = random.get_bool() ? half : -half;
+    points.emplace_back(random.get_bool() ? Point(x, y, z) : Point(x, z, y));
+  }
+  const auto mean_distance_from_axis = [&](bool spare) {
+    Adaptive_settings settings;
+    settings.spare_thin_parts = spare;
+    std::vector<Point> output;
+    simplify_point_set<Tag>(with_noise(points, sigma, 97), std::back_inserter(output),
+                            np::number_of_output_points(1000), settings);
+    double sum = 0.;
+    for (const Point& p : output)
+      sum += std::sqrt(p.y() * p.y() + p.z() * p.z());
+    return sum / 1000. / half;
+  };
+  const double exact = (std::sqrt(2.) + std::asinh(1.)) / 2.;
+  EXPECT_LT(mean_distance_from_axis(false), exact - 0.12);
+  EXPECT_NEAR(mean_distance_from_axis(true), exact, 0.08);
 }
 
 // 192 points are in a ball of 4 sigma, where 25 are enough.

@@ -63,6 +63,8 @@ struct Adaptive_settings
   bool smooth_points = true;
   // They are so by points around their foot points, and not around themselves.
   bool smooth_around_foot_points = true;
+  // They are so by less where balls hold more than noise explains, as in thin parts.
+  bool spare_thin_parts = true;
   // They are so in balls as wide as the shape allows, as it is seen around places of each range.
   bool smooth_by_shape = true;
   // Residuals of up to so many times the variance of the noise are taken for noise. More are shape,

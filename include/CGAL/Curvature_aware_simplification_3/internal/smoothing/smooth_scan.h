@@ -12,6 +12,7 @@
 #include <CGAL/Curvature_aware_simplification_3/internal/parameters/Adaptive_settings.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/smoothing/smooth_points.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/smoothing/smoothing_radii.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/smoothing/spare_thin_parts.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/tools/Flags.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/tools/Neighbor_search.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/tools/Progress.h>
@@ -30,6 +31,8 @@ template <typename ConcurrencyTag>
 void smooth_scan(Scan& scan, Flags& is_bent, std::size_t number_of_samples, std::size_t k,
                  const Adaptive_settings& settings, const Progress& progress)
 {
+  if (settings.spare_thin_parts)
+    spare_thin_parts<ConcurrencyTag>(scan.noise, scan.points, *scan.search, settings);
   set_smoothing_radii<ConcurrencyTag>(scan.noise, scan.points, *scan.search, scan.spacing(),
                                       settings);
   scan.noise = smooth_points<ConcurrencyTag>(scan.points, scan.inverse_density, is_bent,

@@ -46,15 +46,22 @@ inline double usual_smoothing_radius(double sigma, double spacing_of_samples)
   return (std::min)(largest_smoothing_radius_in_noise * sigma, worth);
 }
 
+// The quadric through neighbors in a ball of that radius, with the weights of smooth_point()
+inline bool fit_smoothing_quadric(double radius, double sigma, Neighborhood& neighborhood,
+                                  Local_surface& surface)
+{
+  neighborhood.weight_by_distance(2. * radius);
+  return fit_quadric_over_plane(neighborhood, sigma, surface) && surface.error < sigma;
+}
+
 // The quadric that smooths the center of a ball with radius r, from neighbors that are in a larger
-// one, with the weights of smooth_point()
+// one
 inline bool fit_smoothing_quadric(const Neighborhood& wide, const Point& center, double radius,
                                   double sigma, Local_surface& surface)
 {
   static thread_local Neighborhood neighborhood;
   neighborhood.take_within(wide, center, radius);
-  neighborhood.weight_by_distance(2. * radius);
-  return fit_quadric_over_plane(neighborhood, sigma, surface) && surface.error < sigma;
+  return fit_smoothing_quadric(radius, sigma, neighborhood, surface);
 }
 
 // An even part of the neighbors in a ball. The nearest would be in a part of it that is no wider
