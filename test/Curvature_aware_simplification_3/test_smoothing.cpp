@@ -267,7 +267,7 @@ TEST(Thin_parts, are_smoothed_less)
     return noise.of_range[0].level / scale;
   };
   EXPECT_EQ(part_taken_for_noise(0., 0., true), 1.); // one sheet
-  EXPECT_NEAR(part_taken_for_noise(a, 0., true), std::sqrt(1.1 / 2.), 0.04);
+  EXPECT_NEAR(part_taken_for_noise(a, 0., true), std::sqrt(1.2 / 2.), 0.04);
   EXPECT_EQ(part_taken_for_noise(a, 0.1, true), 1.); // balls must hold columns
   EXPECT_EQ(part_taken_for_noise(a, 0., false), 1.); // not smoothed
 }
