@@ -83,7 +83,8 @@ Scan clean_scan(Searchable_points cloud, const Frame& frame, const Parameters& p
   if (settings.undo_rounding)
     depth_levels = undo_rounding<ConcurrencyTag>(cloud, settings);
   progress.report(0.08);
-  report.depth_step = frame.length_from_frame(typical_step<ConcurrencyTag>(cloud.points, depth_levels));
+  report.depth_step =
+      frame.length_from_frame(typical_step<ConcurrencyTag>(cloud.points, depth_levels));
   if (settings.merge_copies)
     report.number_of_merged_points =
         merge_copies<ConcurrencyTag>(cloud, number_of_samples, progress.part(0.08, 0.1));
