@@ -161,7 +161,8 @@ TEST(Smoothing_radius, is_small_where_the_shape_has_details)
     noise.of_range[62].is_visible = false;
     Adaptive_settings settings;
     settings.smooth_by_shape = smooth_by_shape;
-    set_smoothing_radii<Tag>(noise, cloud.points, search, spacing_of_samples, settings);
+    set_smoothing_radii<Tag>(noise, smoothing_probes<Tag>(cloud.points, settings), search,
+                             spacing_of_samples, settings);
     return noise;
   };
   // The sums are over an eighth of the points, which are in a disk with a radius of 0.2.
@@ -225,7 +226,8 @@ TEST(Smoothing_radius, keeps_details)
     noise.make_visible_above(0.);
     Adaptive_settings settings;
     settings.smooth_by_shape = smooth_by_shape;
-    set_smoothing_radii<Tag>(noise, cloud.points, search, far_samples, settings);
+    set_smoothing_radii<Tag>(noise, smoothing_probes<Tag>(cloud.points, settings), search,
+                             far_samples, settings);
     std::vector<Point> smoothed = cloud.points;
     Uninitialized_vector<double> inverse_density(cloud.size(), 1. / (2. * CGAL_PI * 120000.));
     std::vector<std::uint8_t> is_bent(cloud.size(), 0);
@@ -258,7 +260,8 @@ TEST(Thin_parts, are_smoothed_less)
     Noise_levels noise{std::vector<Noise>(8, Noise{scale, scale, radius_of_columns}), cloud.size()};
     for (Noise& here : noise.of_range)
       here.is_visible = is_visible;
-    spare_thin_parts<Tag>(noise, cloud.points, *cloud.search, default_settings);
+    spare_thin_parts<Tag>(noise, smoothing_probes<Tag>(cloud.points, default_settings),
+                          *cloud.search, default_settings);
     for (const Noise& here : noise.of_range)
     {
       EXPECT_EQ(here.independent_level, here.level);

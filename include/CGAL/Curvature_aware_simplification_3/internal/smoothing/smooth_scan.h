@@ -9,6 +9,7 @@
 #include <CGAL/Curvature_aware_simplification_3/internal/Scan.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/density/even_density.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/features/features.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/noise/Noise_probes.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/parameters/Adaptive_settings.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/smoothing/smooth_points.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/smoothing/smoothing_radii.h>
@@ -31,10 +32,10 @@ template <typename ConcurrencyTag>
 void smooth_scan(Scan& scan, Flags& is_bent, std::size_t number_of_samples, std::size_t k,
                  const Adaptive_settings& settings, const Progress& progress)
 {
+  const Noise_probes probes = smoothing_probes<ConcurrencyTag>(scan.points, settings);
   if (settings.spare_thin_parts)
-    spare_thin_parts<ConcurrencyTag>(scan.noise, scan.points, *scan.search, settings);
-  set_smoothing_radii<ConcurrencyTag>(scan.noise, scan.points, *scan.search, scan.spacing(),
-                                      settings);
+    spare_thin_parts<ConcurrencyTag>(scan.noise, probes, *scan.search, settings);
+  set_smoothing_radii<ConcurrencyTag>(scan.noise, probes, *scan.search, scan.spacing(), settings);
   scan.noise = smooth_points<ConcurrencyTag>(scan.points, scan.inverse_density, is_bent,
                                              *scan.search, scan.noise, number_of_samples, settings,
                                              progress.part(0., 0.8));

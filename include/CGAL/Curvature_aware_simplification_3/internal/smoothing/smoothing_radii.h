@@ -134,10 +134,18 @@ inline double radius_to_compare(const Noise& noise)
   return (std::max)(noise.smoothing_radius, smallest_smoothing_radius_in_noise * noise.level);
 }
 
+// The places at which the shape is looked at: as many as those of visible noise
+template <typename ConcurrencyTag>
+Noise_probes smoothing_probes(const std::vector<Point>& points, const Adaptive_settings& settings)
+{
+  return noise_probes<ConcurrencyTag>(points,
+                                      many_probes(points.size(), settings.most_noise_probes));
+}
+
 // Decides in which balls the points of each range with visible noise are smoothed: wide ones where
 // the shape is smooth, narrow ones where it has details.
 template <typename ConcurrencyTag>
-void set_smoothing_radii(Noise_levels& noise, const std::vector<Point>& points,
+void set_smoothing_radii(Noise_levels& noise, const Noise_probes& probes,
                          const Neighbor_search& search, double spacing_of_samples,
                          const Adaptive_settings& settings)
 {
@@ -147,8 +155,6 @@ void set_smoothing_radii(Noise_levels& noise, const std::vector<Point>& points,
     return;
 
   const Surface_fitter fitter{search, settings};
-  const Noise_probes probes =
-      noise_probes<ConcurrencyTag>(points, many_probes(points.size(), settings.most_noise_probes));
   const std::size_t number = probes.points.size();
   std::vector<Fit_difference> differences(number);
   for_each_index<ConcurrencyTag>(0, number, [&](std::size_t i) {

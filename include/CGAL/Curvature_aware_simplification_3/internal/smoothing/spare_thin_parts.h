@@ -53,7 +53,7 @@ inline double residuals_over_noise(const Surface_fit& fit, const Point& x)
 // it explains, the gain of Lee's filter. Points are smoothed in narrower balls then, and fits to
 // them are no wider than what is left asks for.
 template <typename ConcurrencyTag>
-void spare_thin_parts(Noise_levels& noise, const std::vector<Point>& points,
+void spare_thin_parts(Noise_levels& noise, const Noise_probes& probes,
                       const Neighbor_search& search, const Adaptive_settings& settings)
 {
   // The most that s^2 / sigma^2 is on smooth shapes. With 1.1, meshes gain 0.4 % more, but samples are
@@ -61,8 +61,6 @@ void spare_thin_parts(Noise_levels& noise, const std::vector<Point>& points,
   constexpr double of_smooth_shapes = 1.2;
 
   const Surface_fitter fitter{search, settings};
-  const Noise_probes probes =
-      noise_probes<ConcurrencyTag>(points, many_probes(points.size(), settings.most_noise_probes));
   std::vector<double> ratios(probes.points.size());
   for_each_index<ConcurrencyTag>(0, ratios.size(), [&](std::size_t i) {
     const Noise& here = noise.at(probes.index[i]);
