@@ -267,6 +267,7 @@ Setting with_parameters(const std::string& parameters)
   set("stay_near_points", settings.stay_near_points);
   set("move_to_edges", settings.move_to_edges);
   set("move_to_corners", settings.move_to_corners);
+  set("share_to_insert", settings.share_to_insert);
   for (const auto& value : values)
     if (known.count(value.first) == 0)
       throw std::invalid_argument("there is no parameter " + value.first);

@@ -13,6 +13,7 @@
 #include <CGAL/Curvature_aware_simplification_3/internal/input/Searchable_points.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/parameters/Adaptive_settings.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/parameters/Parameters.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/projection/insert_samples.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/projection/project_samples.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/samples/Distinct_samples.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/samples/Surface_sample.h>
@@ -76,8 +77,11 @@ Distinct_samples simplify_adaptively(Cloud cloud, const Parameters& parameters,
     return select_without_moving<ConcurrencyTag>(scan.points, parameters);
 
   Stopwatch stopwatch;
+  const std::size_t number_to_insert =
+      samples_to_insert(scan, parameters.number_of_output_points, settings.share_to_insert);
   std::vector<Surface_sample> samples =
-      select_samples<ConcurrencyTag>(scan, parameters, settings, progress.part(0.4, 0.5));
+      select_samples<ConcurrencyTag>(scan, parameters.number_of_output_points - number_to_insert,
+                                     parameters, settings, progress.part(0.4, 0.5));
   report.selection_time = stopwatch.lap();
 
   const Surface_fitter fitter{*scan.search, settings};
@@ -89,6 +93,7 @@ Distinct_samples simplify_adaptively(Cloud cloud, const Parameters& parameters,
 
   project_samples<ConcurrencyTag>(samples, neighbors, scan, fitter, parameters,
                                   progress.part(0.85, 1.));
+  insert_samples<ConcurrencyTag>(samples, number_to_insert, neighbors, scan);
   std::vector<Point> points = points_of<ConcurrencyTag>(samples);
   report.projection_time = stopwatch.lap();
   return {std::move(points), std::vector<std::size_t>(samples.size(), 1)};

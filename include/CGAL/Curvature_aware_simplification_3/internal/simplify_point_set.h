@@ -35,8 +35,6 @@ template <typename ConcurrencyTag, typename PointRange, typename OutputIterator,
 OutputIterator simplify_point_set(const PointRange& points, OutputIterator output,
                                   const NamedParameters& np, const Adaptive_settings& settings)
 {
-  using parameters::choose_parameter;
-  using parameters::get_parameter;
   using Types = Input_types<PointRange, NamedParameters>;
   using Geom_traits = typename Types::Geom_traits;
   using FT = typename Geom_traits::FT;
@@ -80,9 +78,9 @@ OutputIterator simplify_point_set(const PointRange& points, OutputIterator outpu
         *output++ = typename Geom_traits::Point_3(static_cast<FT>(p.x()), static_cast<FT>(p.y()),
                                                   static_cast<FT>(p.z()));
     }
-    Curvature_aware_simplification_report& wanted =
-        choose_parameter(get_parameter(np, internal_np::simplification_report), std::ref(report));
-    wanted = report;
+    Curvature_aware_simplification_report& given_report = parameters::choose_parameter(
+        parameters::get_parameter(np, internal_np::simplification_report), std::ref(report));
+    given_report = report;
   }
   catch (const Cancelled&)
   {}

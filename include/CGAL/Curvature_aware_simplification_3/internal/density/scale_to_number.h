@@ -11,6 +11,7 @@
 #include <CGAL/Curvature_aware_simplification_3/internal/tools/loops.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <functional>
 #include <vector>
@@ -32,7 +33,9 @@ void scale_to_number(std::vector<double>& density, double number, const Curve_ra
   const double scale = scale_with_limits<ConcurrencyTag>(
       ranges.number, number, [&](std::size_t i) { return density[i] * range_area[i]; }, limit);
   for_each_index<ConcurrencyTag>(0, ranges.number, [&](std::size_t i) {
-    density[i] = (std::min)(limit(i) / range_area[i], scale * density[i]);
+    // an area may vanish where squares of coordinates underflow, and nothing limits its density
+    if (range_area[i] > 0. || std::isfinite(scale))
+      density[i] = (std::min)(limit(i) / range_area[i], scale * density[i]);
   });
 
   const double all = reduce_indices<ConcurrencyTag>(

@@ -118,7 +118,8 @@ Shared_features compute_shared_features(const Searchable_points& cloud,
     if (represented[i] == 0 && shared.features.inverse_density[i] > sparse)
       assign(i, local_features<DiagonalizeTraits>(*cloud.search, cloud.points[i], size,
                                                   cloud.coordinate_error));
-    shared.votes[i] = votes[i].load(std::memory_order_relaxed) - 1; // not its own
+    // Not its own: where more points than have a vote are at one place, it may have none.
+    shared.votes[i] = (std::max)(votes[i].load(std::memory_order_relaxed), std::uint32_t(1)) - 1;
   });
   return shared;
 }

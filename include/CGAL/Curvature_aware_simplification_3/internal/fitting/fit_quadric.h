@@ -38,7 +38,8 @@ struct Normal_equations
 template <int n>
 Normal_equations<n> normal_equations(const Neighborhood& neighborhood, const Local_surface& surface)
 {
-  Lanes matrix[n][n], right[n], squares = Lanes::Zero();
+  constexpr std::size_t size = n;
+  Lanes matrix[size][size], right[size], squares = Lanes::Zero();
   for (int i = 0; i < n; ++i)
   {
     std::fill(matrix[i], matrix[i] + i + 1, Lanes::Zero());

@@ -76,6 +76,12 @@ inline double radius_of_disk(double lambda)
   return 2. * std::sqrt((std::max)(lambda, 0.));
 }
 
+// The width of points on a line is less than this part of their length. Of lines of a scan, 5 to 50
+// times as dense along as across, errors are the same with 0.05 to 0.2. But lines have a width of
+// their own, and where they are as far apart as the samples, wider fits miss what is between them:
+// with 0.2, the mean error of scanned shapes is 6 % larger there, with 0.05 1 %.
+inline constexpr double least_breadth = 0.05;
+
 // Whether points are as wide as a surface: those on one line of a scan, whose lines are farther
 // apart than the points on them, tell neither a plane nor a quadric, and with noise along a ray of
 // the scanner, they are in a plane across the surface. The width over the length is 0.6 for random

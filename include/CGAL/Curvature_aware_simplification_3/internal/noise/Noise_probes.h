@@ -36,6 +36,12 @@ struct Noise_probes
   {
     return Curve_ranges{of_range.size(), points.size()}.range_of(i);
   }
+
+  // The probes around one of `number_of_ranges` ranges of the curve, which may not be those here
+  const std::vector<std::size_t>& around(std::size_t range, std::size_t number_of_ranges) const
+  {
+    return of_range[middle_of_part(range, number_of_ranges, of_range.size())];
+  }
 };
 
 inline std::vector<std::size_t> all_ranges(const Noise_probes& probes)

@@ -142,6 +142,9 @@ struct Adaptive_settings
   bool move_to_edges = true;
   // Samples next to a corner of an open surface are moved into it.
   bool move_to_corners = true;
+  // The largest part of the samples that is inserted at last, where a mesh of the others misses
+  // most. With 0.02, half as much is gained, with 0.04 no more.
+  double share_to_insert = 0.03;
 };
 
 inline constexpr Adaptive_settings default_settings = Adaptive_settings();

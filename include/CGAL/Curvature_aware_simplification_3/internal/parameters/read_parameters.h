@@ -70,16 +70,13 @@ template <typename NamedParameters>
 Selection_parameters read_selection_parameters(const NamedParameters& np,
                                                std::size_t number_of_points)
 {
-  using parameters::choose_parameter;
-  using parameters::get_parameter;
-  using parameters::is_default_parameter;
-
   if (number_of_points == 0)
     throw_empty_range();
 
   Selection_parameters result{};
 
-  if (is_default_parameter<NamedParameters, internal_np::number_of_output_points_t>::value)
+  if (parameters::is_default_parameter<NamedParameters,
+                                       internal_np::number_of_output_points_t>::value)
   {
     const double percentage = internal::number(np, internal_np::select_percentage, 5.);
     checked("select_percentage", percentage, percentage > 0. && percentage <= 100.,
@@ -89,14 +86,16 @@ Selection_parameters read_selection_parameters(const NamedParameters& np,
   else
     result.number_of_output_points = checked_count(
         "number_of_output_points",
-        choose_parameter(get_parameter(np, internal_np::number_of_output_points), std::size_t(1)),
+        parameters::choose_parameter(
+            parameters::get_parameter(np, internal_np::number_of_output_points), std::size_t(1)),
         1, number_of_points,
         "an integer from 1 to the number of points, which is " + std::to_string(number_of_points));
 
   result.number_of_neighbors =
       checked_count("number_of_neighbors",
-                    choose_parameter(get_parameter(np, internal_np::number_of_neighbors), 16), 2,
-                    largest_count, count_from(2));
+                    parameters::choose_parameter(
+                        parameters::get_parameter(np, internal_np::number_of_neighbors), 16),
+                    2, largest_count, count_from(2));
 
   const double curvature_weight = internal::number(np, internal_np::curvature_weight, 0.75);
   result.curvature_weight =
@@ -107,7 +106,8 @@ Selection_parameters read_selection_parameters(const NamedParameters& np,
   result.adaptivity =
       checked("adaptivity", adaptivity, adaptivity >= 0. && adaptivity <= 1., "from 0 to 1");
 
-  const auto seed = choose_parameter(get_parameter(np, internal_np::random_seed), std::uint64_t(0));
+  const auto seed = parameters::choose_parameter(
+      parameters::get_parameter(np, internal_np::random_seed), std::uint64_t(0));
   static_assert(std::is_integral<std::remove_const_t<decltype(seed)>>::value,
                 "random_seed must be an integer");
   result.random_seed = static_cast<std::uint64_t>(seed);
@@ -120,18 +120,15 @@ Selection_parameters read_selection_parameters(const NamedParameters& np,
 template <typename NamedParameters>
 Parameters read_parameters(const NamedParameters& np, std::size_t number_of_points)
 {
-  using parameters::choose_parameter;
-  using parameters::get_parameter;
-  using parameters::is_default_parameter;
-
   Parameters result{};
   static_cast<Selection_parameters&>(result) =
       internal::read_selection_parameters(np, number_of_points);
 
   result.number_of_iterations =
       checked_count("number_of_iterations",
-                    choose_parameter(get_parameter(np, internal_np::number_of_iterations), 10), 0,
-                    largest_count, count_from(0));
+                    parameters::choose_parameter(
+                        parameters::get_parameter(np, internal_np::number_of_iterations), 10),
+                    0, largest_count, count_from(0));
 
   const double d = internal::number(np, internal_np::curvature_dependence, 2.);
   result.curvature_dependence =
@@ -141,19 +138,19 @@ Parameters read_parameters(const NamedParameters& np, std::size_t number_of_poin
   result.repulsion_weight =
       checked("repulsion_weight", mu, mu >= 0. && mu < 0.5, "at least 0 and below 0.5");
 
-  if (!is_default_parameter<NamedParameters, internal_np::neighbor_radius_t>::value)
+  if (!parameters::is_default_parameter<NamedParameters, internal_np::neighbor_radius_t>::value)
   {
     const double h = internal::number(np, internal_np::neighbor_radius, 1.);
     result.neighbor_radius =
         checked("neighbor_radius", h, h > 0. && std::isfinite(h), "above 0 and finite");
   }
 
-  result.recompute_curvature =
-      choose_parameter(get_parameter(np, internal_np::recompute_curvature), false);
-  result.require_uniform_sampling =
-      choose_parameter(get_parameter(np, internal_np::require_uniform_sampling), false);
-  result.settings_of_the_paper =
-      choose_parameter(get_parameter(np, internal_np::settings_of_the_paper), false);
+  result.recompute_curvature = parameters::choose_parameter(
+      parameters::get_parameter(np, internal_np::recompute_curvature), false);
+  result.require_uniform_sampling = parameters::choose_parameter(
+      parameters::get_parameter(np, internal_np::require_uniform_sampling), false);
+  result.settings_of_the_paper = parameters::choose_parameter(
+      parameters::get_parameter(np, internal_np::settings_of_the_paper), false);
   return result;
 }
 

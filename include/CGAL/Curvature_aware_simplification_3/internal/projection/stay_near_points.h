@@ -24,12 +24,12 @@ namespace internal {
 // them, where hardly any points are expected and no gap is seen.
 inline bool is_wider_than_samples_show(const Surface_sample& x)
 {
-  // With 2 spacings, errors are 1 to 3 % larger on scan lines and where density is uneven; with
+  // In spacings. With 2, errors are 1 to 3 % larger on scan lines and where density is uneven; with
   // visible noise, up to 2 %.
-  constexpr double radius_in_spacings = 3.;
+  constexpr double widest = 3.;
   return !x.surface.is_curve && !x.noise->is_visible &&
          x.surface.neighbors >= 2 * smallest_neighborhood - 1 &&
-         x.surface.radius > radius_in_spacings * x.spacing;
+         x.surface.radius > widest * x.spacing;
 }
 
 // Of samples on such fits, those that are not near a point of the input go to the nearest one.

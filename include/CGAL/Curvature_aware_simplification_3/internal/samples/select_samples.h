@@ -28,15 +28,14 @@ namespace CGAL {
 namespace Curvature_aware_simplification_3 {
 namespace internal {
 
-// One sample for each point asked for, on points of the scan that are selected with the wanted
+// So many samples, on points of the scan that are selected with the wanted
 // density. They have no surface yet. The scan lets go of its points, whose memory the samples take:
 // from here on, fits have those of the search.
 template <typename ConcurrencyTag>
-std::vector<Surface_sample> select_samples(Scan& scan, const Parameters& parameters,
-                                           const Adaptive_settings& settings,
-                                           const Progress& progress)
+std::vector<Surface_sample>
+select_samples(Scan& scan, std::size_t number_of_samples, const Parameters& parameters,
+               const Adaptive_settings& settings, const Progress& progress)
 {
-  const std::size_t number_of_samples = parameters.number_of_output_points;
   const Sampling_density wanted = sampling_density<ConcurrencyTag>(
       scan, number_of_samples, parameters.adaptivity, settings, progress);
   const std::vector<std::size_t> selected = select_along_curve<ConcurrencyTag>(
@@ -44,7 +43,9 @@ std::vector<Surface_sample> select_samples(Scan& scan, const Parameters& paramet
   const std::vector<Point> selected_points = elements_at<ConcurrencyTag>(selected, scan.points);
   scan.points = std::vector<Point>();
   scan.inverse_density = Uninitialized_vector<double>();
-  std::vector<Surface_sample> samples(number_of_samples);
+  std::vector<Surface_sample> samples;
+  samples.reserve(parameters.number_of_output_points); // some are inserted later, in this memory
+  samples.resize(number_of_samples);
   for_each_index<ConcurrencyTag>(0, number_of_samples, [&](std::size_t i) {
     samples[i].point = selected_points[i];
     samples[i].spacing = lattice_spacing(wanted.density[wanted.ranges.range_of(selected[i])]);

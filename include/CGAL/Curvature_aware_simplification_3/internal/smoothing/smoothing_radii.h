@@ -82,7 +82,7 @@ inline bool collect_part_within(const Neighbor_search& search, const Point& cent
 // differ
 inline Fit_difference difference_of_fits(const Surface_fit& fit, const Point& x, double radius)
 {
-  static thread_local Neighborhood wide;
+  Neighborhood wide;
   const double sigma = fit.noise.level, large_radius = std::sqrt(2.) * radius;
   Local_surface around_point;
   if (!collect_part_within(fit.search, x, large_radius, wide) ||
@@ -166,8 +166,6 @@ void set_smoothing_radii(Noise_levels& noise, const Noise_probes& probes,
   for (std::size_t range = 0; range < noise.of_range.size(); ++range)
   {
     Noise& here = noise.of_range[range];
-    const std::size_t of_probes =
-        middle_of_part(range, noise.of_range.size(), probes.of_range.size());
     // balls that hold several columns are as wide as they must be
     if (!here.is_visible || here.radius_of_columns > 0.)
       continue;
@@ -175,7 +173,8 @@ void set_smoothing_radii(Noise_levels& noise, const Noise_probes& probes,
     const double least = (std::min)(smallest_smoothing_radius_in_noise * here.level, usual);
     const double most = largest_smoothing_radius_in_noise * here.level;
     const double wanted =
-        radius_to_compare(here) * factor_of_radius(differences, probes.of_range[of_probes]);
+        radius_to_compare(here) *
+        factor_of_radius(differences, probes.around(range, noise.of_range.size()));
     here.smoothing_radius = (std::min)((std::max)(wanted, least), most);
   }
 }

@@ -34,7 +34,7 @@ namespace internal {
 // 0 where it is not known
 inline double residuals_over_noise(const Surface_fit& fit, const Point& x)
 {
-  static thread_local Neighborhood neighborhood;
+  Neighborhood neighborhood;
   const double sigma = fit.noise.level, radius = largest_smoothing_radius_in_noise * sigma;
   Local_surface surface;
   const auto fit_around = [&](const Point& center) {
@@ -56,8 +56,8 @@ template <typename ConcurrencyTag>
 void spare_thin_parts(Noise_levels& noise, const Noise_probes& probes,
                       const Neighbor_search& search, const Adaptive_settings& settings)
 {
-  // The most that s^2 / sigma^2 is on smooth shapes. With 1.1, meshes gain 0.4 % more, but samples are
-  // 1.4 % farther off, and some CAD parts lose up to 4 %.
+  // The most that s^2 / sigma^2 is on smooth shapes. With 1.1, meshes gain 0.4 % more, but samples
+  // are 1.4 % farther off, and some CAD parts lose up to 4 %.
   constexpr double of_smooth_shapes = 1.2;
 
   const Surface_fitter fitter{search, settings};
@@ -74,8 +74,7 @@ void spare_thin_parts(Noise_levels& noise, const Noise_probes& probes,
     if (!here.is_visible || here.radius_of_columns > 0.)
       continue;
     double sum = 0., number = 0.;
-    for (std::size_t i :
-         probes.of_range[middle_of_part(range, noise.of_range.size(), probes.of_range.size())])
+    for (std::size_t i : probes.around(range, noise.of_range.size()))
     {
       sum += ratios[i];
       number += ratios[i] > 0. ? 1. : 0.;

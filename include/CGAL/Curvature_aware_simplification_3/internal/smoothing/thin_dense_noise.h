@@ -64,8 +64,7 @@ std::vector<double> parts_against_noise(const std::vector<Point>& points,
   // not counted.
   constexpr std::size_t most = 16 * enough;
 
-  const Noise_probes probes =
-      noise_probes<ConcurrencyTag>(points, many_probes(points.size(), settings.most_noise_probes));
+  const Noise_probes probes = smoothing_probes<ConcurrencyTag>(points, settings);
   const std::vector<double> in_ball = points_in_noise<ConcurrencyTag>(probes, search, noise, most);
   std::vector<double> parts(probes.of_range.size());
   for_each_index<ConcurrencyTag>(0, parts.size(), [&](std::size_t range) {
