@@ -59,6 +59,7 @@ IDEAS = [
     ("samples on wide fits left far from points", "stay_near_points=0"),
     ("samples not moved to sharp edges", "move_to_edges=0"),
     ("samples not moved into corners of borders", "move_to_corners=0"),
+    ("no samples kept for what the others miss", "share_to_insert=0"),
 ]
 SEEDS = [0]
 MEASURES = [("recon_mean", "mean"), ("recon_p99", "p99"), ("recon_max", "max"),

@@ -271,7 +271,8 @@ the radius \f$h\f$, the time is \f$O(M (\log M + k) + i N (\log M + n))\f$, with
   \cgalParamNBegin{diagonalize_traits}
     \cgalParamDescription{the solver that diagonalizes the covariance matrices of which the surface variation is
                           computed}
-    \cgalParamType{a class model of `DiagonalizeTraits` with number type `double` and dimension 3}
+    \cgalParamType{a class model of `DiagonalizeTraits` with number type `double` and dimension 3; with
+                   `Parallel_tag`, several threads call it at the same time}
     \cgalParamDefault{`CGAL::Default_diagonalize_traits<double, 3>`}
   \cgalParamNEnd
 \cgalNamedParamsEnd

@@ -88,7 +88,8 @@ The complexity is \f$O(n (\log n + k))\f$ for \f$n\f$ points.
   \cgalParamNBegin{diagonalize_traits}
     \cgalParamDescription{the solver that diagonalizes the covariance matrices of which the surface variation is
                           computed}
-    \cgalParamType{a class model of `DiagonalizeTraits` with number type `double` and dimension 3}
+    \cgalParamType{a class model of `DiagonalizeTraits` with number type `double` and dimension 3; with
+                   `Parallel_tag`, several threads call it at the same time}
     \cgalParamDefault{`CGAL::Default_diagonalize_traits<double, 3>`}
   \cgalParamNEnd
 \cgalNamedParamsEnd

@@ -216,17 +216,18 @@ TEST(Insertion, brings_samples_to_tips)
       sum += height - tip_and_height.second;
     return sum / static_cast<double>(highest.size());
   };
-  const auto output = [&](double share_to_insert) {
+  const auto output = [&](double share_to_insert, double adaptivity = 2. / 3.) {
     Adaptive_settings settings;
     settings.share_to_insert = share_to_insert;
     std::vector<Point> result;
-    simplify_point_set<Tag>(points, std::back_inserter(result), np::number_of_output_points(2000),
-                            settings);
+    simplify_point_set<Tag>(points, std::back_inserter(result),
+                            np::number_of_output_points(2000).adaptivity(adaptivity), settings);
     EXPECT_EQ(result.size(), 2000u);
     return result;
   };
-  EXPECT_LT(missing(output(0.03)), 1.1 * missing(points));
+  EXPECT_LT(missing(output(0.045)), 1.1 * missing(points));
   EXPECT_GT(missing(output(0.)), 1.4 * missing(points));
+  EXPECT_EQ(output(0.045, 0.), output(0., 0.)); // even samples are asked for
 }
 
 } // namespace

@@ -277,12 +277,12 @@ TEST(Correction, is_of_what_noise_does_not_explain)
   Noise noise;
   noise.is_visible = true;
   x.noise = &noise;
-  for (double sigma : {0., 0.1})
+  for (double sigma : {0., 0.08})
   {
     noise.level = sigma;
     EXPECT_TRUE(is_missed(x, Point(0.5, 0., 0.3)));
   }
-  noise.level = 0.2;
+  noise.level = 0.1; // 3 sigma, as one point in 400 is off
   EXPECT_FALSE(is_missed(x, Point(0.5, 0., 0.3)));
   noise.level = 0.01; // noise does not explain it, but any fit errs so much
   EXPECT_FALSE(is_missed(x, Point(0.5, 0., 0.09)));

@@ -77,8 +77,8 @@ Distinct_samples simplify_adaptively(Cloud cloud, const Parameters& parameters,
     return select_without_moving<ConcurrencyTag>(scan.points, parameters);
 
   Stopwatch stopwatch;
-  const std::size_t number_to_insert =
-      samples_to_insert(scan, parameters.number_of_output_points, settings.share_to_insert);
+  const std::size_t number_to_insert = samples_to_insert(
+      scan, parameters.number_of_output_points, parameters.adaptivity * settings.share_to_insert);
   std::vector<Surface_sample> samples =
       select_samples<ConcurrencyTag>(scan, parameters.number_of_output_points - number_to_insert,
                                      parameters, settings, progress.part(0.4, 0.5));
