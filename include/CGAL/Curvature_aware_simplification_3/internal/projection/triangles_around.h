@@ -31,8 +31,8 @@ using Triangle = Computation_kernel::Triangle_3;
 // tangent plane: a mesh of the samples is about that. The inversion t -> t / |t|^2 maps circles
 // through x to lines, and so the empty ones around triangles to the edges of the convex hull of the
 // neighbors. Edges that x is outside of are those of no triangle: it is on a border. The hull takes
-// less time than a triangulation, of which most is not around x. The unit is the spacing of x, and x
-// the origin: squares of what is computed of triangles do not underflow.
+// less time than a triangulation, of which most is not around x. The unit is the spacing of x, and
+// x the origin: squares of what is computed of triangles do not underflow.
 template <typename Neighbors>
 std::vector<Triangle> triangles_around(const Surface_sample& x, const Neighbors& neighbors,
                                        const std::vector<Point>& points)
