@@ -5,6 +5,7 @@
 #include <CGAL/Curvature_aware_simplification_3/internal/projection/insert_samples.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/projection/triangles_around.h>
 #include <CGAL/Delaunay_triangulation_2.h>
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Triangulation_vertex_base_with_info_2.h>
 
 #include <gtest/gtest.h>
@@ -110,6 +111,13 @@ TEST(Triangles_around, are_none_of_a_line)
   EXPECT_TRUE(triangles_around(sample_at_origin(1.), all_of({}), points).empty());
 }
 
+// Where densities overflow, spacings are 0, and nothing in their unit is a number.
+TEST(Triangles_around, are_none_without_a_unit)
+{
+  const std::vector<Point> points = hexagon(1.);
+  EXPECT_TRUE(triangles_around(sample_at_origin(0.), all_of(points), points).empty());
+}
+
 TEST(Missed_points, are_as_far_as_from_the_triangles)
 {
   // in any unit: squares and products of the smaller one underflow
@@ -164,6 +172,18 @@ TEST(Insertion, is_where_samples_miss_most)
   EXPECT_EQ(lattice.samples[100].point, bent[1]);
   EXPECT_EQ(lattice.samples[101].point, bent[2]);
   EXPECT_EQ(lattice.samples[102].point, bent[3]);
+}
+
+TEST(Insertion, needs_no_unit)
+{
+  Lattice lattice({Point(2.5, 2.5, 0.8), Point(3., 3., 0.), Point(5.5, 5.5, 0.01)});
+  for (Surface_sample& x : lattice.samples)
+    x.spacing = 0.;
+  for (const Missed_point& p :
+       missed_points<Tag>(lattice.samples, lattice.neighbors, lattice.scan.bent_points))
+    EXPECT_EQ(p.distance, 0.);
+  insert_samples<Tag>(lattice.samples, 3, lattice.neighbors, lattice.scan);
+  EXPECT_EQ(lattice.samples.size(), 103u);
 }
 
 TEST(Insertion, fills_gaps_where_no_other_place_is_missed)

@@ -112,6 +112,8 @@ std::vector<Missed_point> missed_points(const std::vector<Surface_sample>& sampl
     for (std::size_t i : p.nearest)
       p.distance =
           (std::min)(p.distance, distance_from_triangles(p.point, samples[i], triangles[i]));
+    if (!std::isfinite(p.distance)) // where the spacing underflows
+      p.distance = 0.;
   });
   internal::sort<ConcurrencyTag>(missed);
   return missed;

@@ -10,15 +10,11 @@
 #include <CGAL/Curvature_aware_simplification_3/internal/samples/Surface_sample.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/tools/Computation_kernel.h>
 
-#include <CGAL/Convex_hull_traits_adapter_2.h>
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/convex_hull_2.h>
-#include <CGAL/property_map.h>
-
-#include <boost/iterator/counting_iterator.hpp>
-
+#include <algorithm>
+#include <cmath>
 #include <cstddef>
-#include <iterator>
+#include <tuple>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -26,6 +22,47 @@ namespace Curvature_aware_simplification_3 {
 namespace internal {
 
 using Triangle = Computation_kernel::Triangle_3;
+
+// A neighbor of a sample
+struct Ring_point
+{
+  double a, b;     // the inverted position in the tangent plane
+  Vector position; // relative to the sample
+
+  bool operator<(const Ring_point& other) const
+  {
+    return std::tie(a, b) < std::tie(other.a, other.b);
+  }
+};
+
+inline bool is_left_turn(const Ring_point& p, const Ring_point& q, const Ring_point& r)
+{
+  return (q.a - p.a) * (r.b - p.b) - (q.b - p.b) * (r.a - p.a) > 0.;
+}
+
+// The convex hull, counterclockwise, by Andrew's monotone chains. CGAL's asks for exact predicates,
+// and these for a library that the package does not need otherwise; here, rounding can but leave
+// out a flat corner.
+inline std::vector<Ring_point> convex_hull(std::vector<Ring_point> points)
+{
+  std::sort(points.begin(), points.end());
+  std::vector<Ring_point> hull;
+  const auto add_chain = [&](auto begin, auto end) {
+    const std::size_t first = hull.size();
+    for (auto p = begin; p != end; ++p)
+    {
+      while (hull.size() >= first + 2 && !is_left_turn(hull.end()[-2], hull.back(), *p))
+        hull.pop_back();
+      hull.push_back(*p);
+    }
+    hull.pop_back(); // it begins the other chain
+  };
+  if (points.size() < 3)
+    return points;
+  add_chain(points.begin(), points.end());   // the lower one
+  add_chain(points.rbegin(), points.rend()); // and back
+  return hull;
+}
 
 // The triangles around a sample x of the Delaunay triangulation of it and its neighbors in its
 // tangent plane: a mesh of the samples is about that. The inversion t -> t / |t|^2 maps circles
@@ -40,37 +77,29 @@ std::vector<Triangle> triangles_around(const Surface_sample& x, const Neighbors&
   // Squared slope of the way to a neighbor, which is on another sheet if it is steeper: 63 degrees.
   // With 45 degrees, the results are the same, with 84, p99 is 1 % larger.
   constexpr double steepest = 4.;
-  using Plane_kernel = Exact_predicates_inexact_constructions_kernel;
-  using Point_in_plane = Plane_kernel::Point_2;
-  using Traits =
-      Convex_hull_traits_adapter_2<Plane_kernel, Pointer_property_map<Point_in_plane>::type>;
 
   Local_surface plane;
   plane.n = x.normal();
   plane.complete_frame();
-  std::vector<Point_in_plane> inverted;
-  std::vector<Vector> ring;
+  std::vector<Ring_point> ring;
   for (std::size_t i : neighbors)
   {
     const Vector d = (points[i] - x.point) / x.spacing;
     const double a = d * plane.u, b = d * plane.v, h = d * plane.n;
     const double squared_length = a * a + b * b;
-    if (!(squared_length > 0.) || h * h > steepest * squared_length)
-      continue;
-    inverted.emplace_back(a / squared_length, b / squared_length);
-    ring.push_back(d);
+    const Ring_point p{a / squared_length, b / squared_length, d};
+    // of a neighbor at the same place, or where the spacing underflows, there is no number
+    if (std::isfinite(p.a) && std::isfinite(p.b) && h * h <= steepest * squared_length)
+      ring.push_back(p);
   }
 
-  std::vector<std::size_t> hull; // counterclockwise
-  convex_hull_2(boost::make_counting_iterator(std::size_t(0)),
-                boost::make_counting_iterator(ring.size()), std::back_inserter(hull),
-                Traits(make_property_map(inverted)));
+  const std::vector<Ring_point> hull = convex_hull(std::move(ring));
   std::vector<Triangle> triangles;
-  for (std::size_t m = 0; m < hull.size(); ++m)
+  for (std::size_t i = 0; i < hull.size(); ++i)
   {
-    const std::size_t i = hull[m], j = hull[(m + 1) % hull.size()];
-    if (left_turn(Point_in_plane(ORIGIN), inverted[i], inverted[j]))
-      triangles.emplace_back(ORIGIN, ORIGIN + ring[i], ORIGIN + ring[j]);
+    const Ring_point &p = hull[i], &q = hull[(i + 1) % hull.size()];
+    if (is_left_turn({0., 0., NULL_VECTOR}, p, q))
+      triangles.emplace_back(ORIGIN, ORIGIN + p.position, ORIGIN + q.position);
   }
   return triangles;
 }
