@@ -45,6 +45,8 @@ inline bool is_left_turn(const Ring_point& p, const Ring_point& q, const Ring_po
 // out a flat corner.
 inline std::vector<Ring_point> convex_hull(std::vector<Ring_point> points)
 {
+  if (points.size() < 3)
+    return points;
   std::sort(points.begin(), points.end());
   std::vector<Ring_point> hull;
   const auto add_chain = [&](auto begin, auto end) {
@@ -57,8 +59,6 @@ inline std::vector<Ring_point> convex_hull(std::vector<Ring_point> points)
     }
     hull.pop_back(); // it begins the other chain
   };
-  if (points.size() < 3)
-    return points;
   add_chain(points.begin(), points.end());   // the lower one
   add_chain(points.rbegin(), points.rend()); // and back
   return hull;
