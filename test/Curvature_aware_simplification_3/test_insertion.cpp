@@ -149,6 +149,8 @@ struct Lattice
            uniform_noise(0., 2000),
            1.,
            bent_points,
+           {},
+           infinite_inverse_density,
            false}
   {
     for (int i = 0; i < 10; ++i)

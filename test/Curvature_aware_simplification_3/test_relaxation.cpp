@@ -9,6 +9,7 @@
 #include <CGAL/Curvature_aware_simplification_3/internal/projection/stay_near_points.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/samples/Sample_neighbors.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/samples/relax_on_surface.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/samples/select_samples.h>
 
 #include <gtest/gtest.h>
 
@@ -293,40 +294,90 @@ TEST(Correction, is_of_what_noise_does_not_explain)
   EXPECT_FALSE(is_missed(x, Point(0.5, 0., 0.09)));
 }
 
+// Whether a sample stays where it is if there are these points, the first the nearest
+bool stays(const Surface_sample& x, const std::vector<Point>& points)
+{
+  std::vector<Surface_sample> samples(1, x);
+  stay_near_points<Tag>(samples, {points.back()}, Neighbor_search(points, Tag()));
+  EXPECT_TRUE(samples[0].point == x.point || samples[0].point == points.front());
+  return samples[0].point == x.point;
+}
+
+Surface_sample sample_above_origin(double height)
+{
+  Surface_sample x;
+  x.point = Point(0., 0., height);
+  x.spacing = 1.;
+  return x;
+}
+
 TEST(Samples_on_wide_fits, stay_near_points)
 {
-  const Neighbor_search search({Point(0., 0., 0.), Point(5., 0., 0.)}, Tag());
-  Surface_sample x;
-  x.point = Point(0., 0., 1.);
-  x.spacing = 1.;
+  const std::vector<Point> points = {Point(0., 0., 0.), Point(5., 0., 0.)};
+  Surface_sample x = sample_above_origin(1.);
   x.surface.radius = 3.1;
   x.surface.neighbors = 37;
-  const auto stays = [&](const Surface_sample& sample) {
-    std::vector<Surface_sample> samples(1, sample);
-    stay_near_points<Tag>(samples, search);
-    EXPECT_TRUE(samples[0].point == sample.point || samples[0].point == Point(0., 0., 0.));
-    return samples[0].point == sample.point;
-  };
-  EXPECT_FALSE(stays(x));
+  EXPECT_FALSE(stays(x, points));
   Surface_sample other = x;
   other.point = Point(0., 0., 0.34);
-  EXPECT_TRUE(stays(other));
+  EXPECT_TRUE(stays(other, points));
   other.point = Point(0., 0., 0.36);
-  EXPECT_FALSE(stays(other));
+  EXPECT_FALSE(stays(other, points));
   other = x;
   other.surface.radius = 2.9; // no wider than three spacings
-  EXPECT_TRUE(stays(other));
+  EXPECT_TRUE(stays(other, points));
   other = x;
   other.surface.neighbors = 36; // not widened
-  EXPECT_TRUE(stays(other));
+  EXPECT_TRUE(stays(other, points));
   other = x;
   other.surface.is_curve = true;
-  EXPECT_TRUE(stays(other));
+  EXPECT_TRUE(stays(other, points));
   Noise noise; // which fits are wide for
   noise.is_visible = true;
   other = x;
   other.noise = &noise;
-  EXPECT_TRUE(stays(other));
+  EXPECT_TRUE(stays(other, points));
+}
+
+TEST(Samples_beyond_the_neighbors_of_points, stay_near_points)
+{
+  // the fourth neighbor of the nearest is 0.4 from it
+  const std::vector<Point> points = {Point(0., 0., 0.),  Point(0.1, 0., 0.), Point(-0.2, 0., 0.),
+                                     Point(0.3, 0., 0.), Point(0., 0.4, 0.), Point(5., 0., 0.)};
+  EXPECT_TRUE(stays(sample_above_origin(0.79), points));
+  EXPECT_FALSE(stays(sample_above_origin(0.81), points));
+  Surface_sample dense = sample_above_origin(0.81);
+  dense.spacing = 2.4; // within 0.35 of that
+  EXPECT_TRUE(stays(dense, points));
+}
+
+// They start on points that show no surface to move on.
+TEST(Samples_that_rest, are_moved_by_nothing)
+{
+  const std::vector<Point> points = surfaces::square(2000, 41);
+  const Neighbor_search search(points, Tag());
+  const Surface_fitter fitter{search};
+  std::vector<Surface_sample> samples(2);
+  for (Surface_sample& x : samples)
+  {
+    x.point = Point(0.5, 0.5, 0.01); // above the square
+    x.spacing = 0.1;
+    x.rests = true;
+  }
+  samples[1].rests = false;
+  place_on_surface<Tag>(samples, fitter, Progress(no_callback));
+  EXPECT_EQ(samples[0].point, Point(0.5, 0.5, 0.01));
+  EXPECT_NEAR(samples[1].point.z(), 0., 1e-9);
+  move_on_surface(samples[0], Vector(0.03, 0., 0.), fitter);
+  move_on_surface(samples[1], Vector(0.03, 0., 0.), fitter);
+  EXPECT_EQ(samples[0].point, Point(0.5, 0.5, 0.01));
+  EXPECT_NEAR(samples[1].point.x(), 0.53, 1e-6);
+  // 0.75 of the radius of the fit from the surface
+  const Point missed =
+      samples[0].surface.origin + 0.75 * samples[0].surface.radius * Vector(0., 0., 1.);
+  EXPECT_FALSE(is_missed(samples[0], missed));
+  samples[0].rests = false;
+  EXPECT_TRUE(is_missed(samples[0], missed));
 }
 
 } // namespace

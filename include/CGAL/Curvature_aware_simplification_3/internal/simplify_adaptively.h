@@ -84,7 +84,7 @@ Distinct_samples simplify_adaptively(Cloud cloud, const Parameters& parameters,
                                      parameters, settings, progress.part(0.4, 0.5));
   report.selection_time = stopwatch.lap();
 
-  const Surface_fitter fitter{*scan.search, settings};
+  const Surface_fitter fitter{*scan.search, settings, scan.sparse_inverse_density};
   place_on_surface<ConcurrencyTag>(samples, fitter, progress.part(0.5, 0.6));
   const Sample_neighbors neighbors =
       relax_on_surface<ConcurrencyTag>(samples, fitter, parameters.number_of_iterations,

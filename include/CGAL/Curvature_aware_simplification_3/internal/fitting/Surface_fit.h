@@ -13,10 +13,14 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <limits>
 
 namespace CGAL {
 namespace Curvature_aware_simplification_3 {
 namespace internal {
+
+// of points that are as far from others as it can be: none are
+inline constexpr double infinite_inverse_density = std::numeric_limits<double>::infinity();
 
 // How a local surface is fitted to the input at a place
 struct Surface_fit
@@ -24,6 +28,7 @@ struct Surface_fit
   const Neighbor_search& search;
   const Noise& noise = no_noise; // of the points near the place
   const Adaptive_settings& settings = default_settings;
+  double sparse_inverse_density = infinite_inverse_density; // 1 / rho of points far from others
 
   bool points_share_noise() const { return noise.level < noise.independent_level; }
 };
@@ -33,8 +38,12 @@ struct Surface_fitter
 {
   const Neighbor_search& search;
   const Adaptive_settings& settings = default_settings;
+  double sparse_inverse_density = infinite_inverse_density;
 
-  Surface_fit at(const Noise& noise) const { return {search, noise, settings}; }
+  Surface_fit at(const Noise& noise) const
+  {
+    return {search, noise, settings, sparse_inverse_density};
+  }
   Surface_fit at(Noise&&) const = delete; // it is referred to
 };
 

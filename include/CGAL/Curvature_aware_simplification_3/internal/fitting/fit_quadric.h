@@ -95,7 +95,7 @@ void set_extent(const Matrix& matrix, double unit, Local_surface& surface)
 
 // The surface with the least squared heights of the weighted neighbors, in the frame of `surface`:
 // a plane with n = 3 coefficients, a quadric with 6. Its `error` is what noise of standard
-// deviation `noise` makes of c0; without noise, nobody asks for it, nor for the `amplification`.
+// deviation `noise` makes of c0.
 // Returns false if it fails.
 template <int n>
 bool fit_coefficients(const Neighborhood& neighborhood, double noise, Local_surface& surface)
@@ -119,8 +119,7 @@ bool fit_coefficients(const Neighborhood& neighborhood, double noise, Local_surf
   const Eigen::Matrix<double, n, 1> c = solver.solve(equations.right);
   // (A^-1)_00 = |L^-1 e_0|^2, since A = L L^T
   const double influence =
-      noise > 0. ? solver.matrixL().solve(Eigen::Matrix<double, n, 1>::Unit(0)).eval().squaredNorm()
-                 : 0.;
+      solver.matrixL().solve(Eigen::Matrix<double, n, 1>::Unit(0)).eval().squaredNorm();
   if (!c.allFinite() || !std::isfinite(influence))
     return false;
   std::fill(surface.c, surface.c + 6, 0.);

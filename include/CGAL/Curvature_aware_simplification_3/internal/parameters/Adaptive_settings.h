@@ -108,6 +108,8 @@ struct Adaptive_settings
   // With 2 or 3, the mean error is the same to 1 %; with steps that stay long, samples never
   // settle.
   double length_of_first_steps = 2.5;
+  // Samples on sparse points around which no surface is seen rest there.
+  bool rest_without_surface = true;
   // Samples are not pushed across a border.
   bool keep_borders = true;
 
@@ -136,7 +138,7 @@ struct Adaptive_settings
   // Without outliers, points of the input are on the surface but for noise, and correct fits that
   // miss them.
   bool correct_by_points = true;
-  // Samples on fits that are much wider than samples are apart stay near points of the input.
+  // Samples on surfaces that are not known stay near points of the input.
   bool stay_near_points = true;
   // Samples next to a sharp edge are moved onto it.
   bool move_to_edges = true;

@@ -41,7 +41,8 @@ void project_samples(std::vector<Surface_sample>& samples, const Sample_neighbor
   std::vector<Point> nearest(samples.size());
   for_each_index<ConcurrencyTag>(samples.size(), progress.part(0., 0.4), [&](std::size_t i) {
     Surface_sample& x = samples[i];
-    nearest[i] = x.place(fitter.at(*x.noise), x.point, x.normal(), rounds_to_stay);
+    nearest[i] =
+        x.rests ? x.point : x.place(fitter.at(*x.noise), x.point, x.normal(), rounds_to_stay);
   });
   if (fitter.settings.denoise && scan.noise.is_visible())
     denoise_samples<ConcurrencyTag>(samples, fitter, progress.part(0.4, 0.75));
@@ -50,13 +51,13 @@ void project_samples(std::vector<Surface_sample>& samples, const Sample_neighbor
                                      progress.part(0.75, 0.8));
   if (fitter.settings.correct_by_points && !scan.had_more_than_a_few_outliers)
     correct_by_points<ConcurrencyTag>(samples, nearest, neighbors, *scan.search);
-  if (fitter.settings.stay_near_points)
-    stay_near_points<ConcurrencyTag>(samples, *scan.search);
   if (fitter.settings.move_to_edges)
     move_to_edges<ConcurrencyTag>(samples, neighbors, fitter, scan.bent_points,
                                   progress.part(0.8, 0.93));
   if (fitter.settings.move_to_corners)
     move_to_corners<ConcurrencyTag>(samples, neighbors, fitter, progress.part(0.93, 1.));
+  if (fitter.settings.stay_near_points)
+    stay_near_points<ConcurrencyTag>(samples, nearest, *scan.search);
   separate_copies<ConcurrencyTag>(samples, neighbors, *scan.search);
 }
 

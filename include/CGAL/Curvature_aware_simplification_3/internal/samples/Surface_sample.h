@@ -28,6 +28,7 @@ struct Surface_sample
   double spacing = 0.;             // wanted distance to its neighbors, s
   const Noise* noise = &no_noise;  // of the input around, of the levels of the scan
   Point point = Point(0., 0., 0.); // at (a, b), until the projection moves it off the surface
+  bool rests = false;              // on a point of the input, which shows no surface to move on
 
   Vector normal() const { return surface.normal(a, b); }
 
@@ -51,7 +52,7 @@ struct Surface_sample
     const Point nearest = neighborhood.nearest(point);
     const Points_around around{neighborhood.radius * neighborhood.radius,
                                static_cast<double>(neighborhood.size())};
-    if (!is_in_gap(fit, point, nearest, around, surface.is_curve) && !is_beside_neighbors())
+    if (!is_in_gap(fit, point, nearest, around, surface.is_curve) && !is_beside_neighbors(fit))
       return nearest;
     fit_and_move(fit, nearest, guess, rounds, neighborhood);
     return neighborhood.nearest(point);
@@ -60,7 +61,21 @@ struct Surface_sample
 private:
   // Whether the height is known less well than that of a point, as beside a pole: one sample in
   // twenty was up to half of the spacing off. Across a curve, it is not known, and not asked for.
-  bool is_beside_neighbors() const { return surface.amplification > 1. && !surface.is_curve; }
+  // Without noise, points tell more: only where they are sparse, it has to be known much less well.
+  // With 3 instead of 4, samples in a laser scan are 4 % nearer to the surface, but the mean error
+  // where the density varies 30 : 1 and more is 1 % larger, with 2 2 to 3 %; of dense points, that
+  // of open surfaces 3 to 10 %.
+  bool is_beside_neighbors(const Surface_fit& fit) const
+  {
+    constexpr double largest_of_exact_points = 4.;
+    if (surface.is_curve)
+      return false;
+    if (fit.noise.independent_level > 0.)
+      return surface.amplification > 1.;
+    return surface.amplification > largest_of_exact_points &&
+           surface.radius * surface.radius >
+               fit.sparse_inverse_density * static_cast<double>(surface.neighbors);
+  }
 
   void fit_and_move(const Surface_fit& fit, const Point& x, const Vector& guess, int rounds,
                     Neighborhood& neighborhood)
