@@ -265,7 +265,7 @@ Setting with_parameters(const std::string& parameters)
   set("missed_shape", settings.missed_shape);
   set("correct_by_points", settings.correct_by_points);
   set("stay_near_points", settings.stay_near_points);
-  set("rest_without_surface", settings.rest_without_surface);
+  set("largest_amplification", settings.largest_amplification);
   set("move_to_edges", settings.move_to_edges);
   set("move_to_corners", settings.move_to_corners);
   set("share_to_insert", settings.share_to_insert);

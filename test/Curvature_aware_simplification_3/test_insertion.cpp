@@ -149,7 +149,6 @@ struct Lattice
            uniform_noise(0., 2000),
            1.,
            bent_points,
-           {},
            infinite_inverse_density,
            false}
   {

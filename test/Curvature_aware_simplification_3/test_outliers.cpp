@@ -37,15 +37,6 @@ bool are_far_points_dense_in(const Cloud& cloud)
   return are_far_points_dense<Tag>(features, sparseness_of(features.inverse_density));
 }
 
-TEST(Points_without_surface, are_sparse_and_as_thick_as_wide)
-{
-  Features features{Uninitialized_vector<double>(3), Uninitialized_vector<double>(3), 16};
-  const std::vector<double> variation = {0.101, 0.099, 0.101}, inverse_density = {2.1, 2.1, 1.9};
-  std::copy(variation.begin(), variation.end(), features.surface_variation.begin());
-  std::copy(inverse_density.begin(), inverse_density.end(), features.inverse_density.begin());
-  EXPECT_EQ(points_without_surface<Tag>(features, 2.), (Flags{1, 0, 0}));
-}
-
 // n points, uniform in a box, put behind the others
 void add_outliers_in(const CGAL::Bbox_3& box, std::size_t n, unsigned int seed,
                      std::vector<Point>& points)
@@ -239,9 +230,9 @@ struct Far_outliers
                                          const std::vector<std::size_t>& asked) const
   {
     std::vector<std::uint8_t> result = is_outlier;
-    unmark_sparse_surfaces<ConcurrencyTag>(
-        cloud, shared.features, sparseness_of(shared.features.inverse_density).of_outliers,
-        needed_share, asked, result);
+    const double sparse = sparseness_of(shared.features.inverse_density).of_outliers;
+    unmark_sparse_surfaces<ConcurrencyTag>({cloud, shared.features, {sparse, sparse}, result},
+                                           needed_share, asked);
     return result;
   }
 
@@ -251,7 +242,8 @@ struct Far_outliers
   {
     std::vector<std::uint8_t> result = is_outlier;
     constexpr double any = std::numeric_limits<double>::infinity(); // may be of a surface
-    unmark_connected<ConcurrencyTag>(cloud, shared.features, any, are_likely, asked, result);
+    unmark_connected<ConcurrencyTag>({cloud, shared.features, {any, any}, result}, are_likely,
+                                     asked);
     return result;
   }
 

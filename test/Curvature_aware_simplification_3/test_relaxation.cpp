@@ -9,7 +9,6 @@
 #include <CGAL/Curvature_aware_simplification_3/internal/projection/stay_near_points.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/samples/Sample_neighbors.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/samples/relax_on_surface.h>
-#include <CGAL/Curvature_aware_simplification_3/internal/samples/select_samples.h>
 
 #include <gtest/gtest.h>
 
@@ -349,35 +348,6 @@ TEST(Samples_beyond_the_neighbors_of_points, stay_near_points)
   Surface_sample dense = sample_above_origin(0.81);
   dense.spacing = 2.4; // within 0.35 of that
   EXPECT_TRUE(stays(dense, points));
-}
-
-// They start on points that show no surface to move on.
-TEST(Samples_that_rest, are_moved_by_nothing)
-{
-  const std::vector<Point> points = surfaces::square(2000, 41);
-  const Neighbor_search search(points, Tag());
-  const Surface_fitter fitter{search};
-  std::vector<Surface_sample> samples(2);
-  for (Surface_sample& x : samples)
-  {
-    x.point = Point(0.5, 0.5, 0.01); // above the square
-    x.spacing = 0.1;
-    x.rests = true;
-  }
-  samples[1].rests = false;
-  place_on_surface<Tag>(samples, fitter, Progress(no_callback));
-  EXPECT_EQ(samples[0].point, Point(0.5, 0.5, 0.01));
-  EXPECT_NEAR(samples[1].point.z(), 0., 1e-9);
-  move_on_surface(samples[0], Vector(0.03, 0., 0.), fitter);
-  move_on_surface(samples[1], Vector(0.03, 0., 0.), fitter);
-  EXPECT_EQ(samples[0].point, Point(0.5, 0.5, 0.01));
-  EXPECT_NEAR(samples[1].point.x(), 0.53, 1e-6);
-  // 0.75 of the radius of the fit from the surface
-  const Point missed =
-      samples[0].surface.origin + 0.75 * samples[0].surface.radius * Vector(0., 0., 1.);
-  EXPECT_FALSE(is_missed(samples[0], missed));
-  samples[0].rests = false;
-  EXPECT_TRUE(is_missed(samples[0], missed));
 }
 
 } // namespace

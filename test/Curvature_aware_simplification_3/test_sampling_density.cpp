@@ -46,7 +46,6 @@ Sampling_density density_of(const Cloud& cloud, std::size_t n, double alpha, dou
                   uniform_noise(cloud.frame.length_to_frame(noise), cloud.size()),
                   density,
                   {},
-                  {},
                   infinite_inverse_density,
                   false};
   return sampling_density<Tag>(scan, n, alpha, Adaptive_settings(), Progress(no_callback));

@@ -8,7 +8,6 @@
 
 #include <CGAL/Curvature_aware_simplification_3/internal/input/Searchable_points.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/noise/Noise_levels.h>
-#include <CGAL/Curvature_aware_simplification_3/internal/tools/Flags.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/tools/Uninitialized_vector.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/tools/lattice_spacing.h>
 
@@ -27,7 +26,6 @@ struct Scan : Searchable_points
   Noise_levels noise;                           // that is left
   double even_density;            // of samples that are spread evenly, see even_density()
   std::vector<Point> bent_points; // at which there may be an edge
-  Flags shows_no_surface;         // 1 for points around which none is seen
   double sparse_inverse_density;  // 1 / rho of points that are far from others, and more
   // Where there were, some were not found, and the point nearest to a sample may be one.
   bool had_more_than_a_few_outliers;

@@ -116,14 +116,12 @@ Scan clean_scan(Searchable_points cloud, const Frame& frame, const Parameters& p
   noise.make_visible_above(visible_error(density));
   Flags is_bent = bent_points<ConcurrencyTag>(features, noise);
   const double sparse = sparseness_of(features.inverse_density).of_outliers;
-  Flags shows_no_surface = points_without_surface<ConcurrencyTag>(features, sparse);
   const std::size_t k = features.number_of_neighbors;
   Scan scan{std::move(cloud),
             std::move(features.inverse_density),
             std::move(noise),
             density,
             std::vector<Point>(), // known when the points are smoothed
-            std::move(shows_no_surface),
             sparse,
             is_more_than_a_few(outliers_found, places)};
   features = Features();

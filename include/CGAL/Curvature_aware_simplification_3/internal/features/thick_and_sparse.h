@@ -7,9 +7,7 @@
 #define CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_FEATURES_THICK_AND_SPARSE_H
 
 #include <CGAL/Curvature_aware_simplification_3/internal/features/features.h>
-#include <CGAL/Curvature_aware_simplification_3/internal/tools/Flags.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/tools/Uninitialized_vector.h>
-#include <CGAL/Curvature_aware_simplification_3/internal/tools/loops.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/tools/median_of_some.h>
 
 #include <cstddef>
@@ -31,11 +29,6 @@ inline constexpr double largest_variation_of_flat_points = 0.02;
 // kappa of points spread evenly in space: 0.19 on average for k = 16, and 99 % are above 0.07; that
 // of a surface is, by Gaussian noise as large as the neighborhood, about 0.1 as well.
 inline constexpr double least_variation_of_volumes = 0.07;
-
-// kappa of half of what points in space have: around a sparse point with more, there is no surface
-// to be seen. With 0.07, samples on wires and branches are up to a tenth nearer to these, but where
-// the density varies 100 : 1, the mean error is 4 % larger.
-inline constexpr double least_variation_without_surface = 0.1;
 
 // kappa of points spread evenly in space is above that for two of five, for k = 16. On a layer of
 // Gaussian noise of three quarters of the radius of a neighborhood, it is for one of eight.
@@ -66,19 +59,6 @@ inline bool is_thick_and_sparse(const Features& features, std::size_t i, double 
                                 double inverse_density)
 {
   return features.surface_variation[i] > variation && features.inverse_density[i] > inverse_density;
-}
-
-// Which points show no surface: 1 for those with more than `sparse` 1/rho that are as thick as wide
-// with their neighbors. If they are no outliers, they are on wires, branches and edges of which a
-// scanner has met little.
-template <typename ConcurrencyTag>
-Flags points_without_surface(const Features& features, double sparse)
-{
-  Flags result(features.inverse_density.size());
-  for_each_index<ConcurrencyTag>(0, result.size(), [&](std::size_t i) {
-    result[i] = is_thick_and_sparse(features, i, least_variation_without_surface, sparse) ? 1 : 0;
-  });
-  return result;
 }
 
 // Whether so many points that look like outliers are more than a clean scan has. Of 15 of these, at

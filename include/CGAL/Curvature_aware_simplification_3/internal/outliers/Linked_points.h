@@ -8,8 +8,7 @@
 
 #include <CGAL/Curvature_aware_simplification_3/internal/features/features.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/features/thick_and_sparse.h>
-#include <CGAL/Curvature_aware_simplification_3/internal/input/Searchable_points.h>
-#include <CGAL/Curvature_aware_simplification_3/internal/outliers/mutual_neighbors.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/outliers/Marked_points.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/tools/Flags.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/tools/Uninitialized_vector.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/tools/index_selection.h>
@@ -32,36 +31,30 @@ template <typename ConcurrencyTag>
 class Linked_points
 {
 public:
-  // Points with more than `sparse` 1/rho are so far from others that their neighborhoods may be of
-  // several parts. Outliers are in no component.
-  Linked_points(const Searchable_points& cloud, const Features& features, double sparse,
-                const Flags& is_outlier)
-    : m_cloud(cloud),
-      m_features(features),
-      m_k(features.number_of_neighbors),
-      m_sparse(sparse),
-      m_is_outlier(is_outlier)
+  // Points that are far from others may have neighborhoods of several parts. Outliers are in no
+  // component.
+  explicit Linked_points(const Marked_points& points) : m_points(points)
   {
     const std::vector<std::size_t> far_ones =
-        indices_where<ConcurrencyTag>(cloud.size(), [&](std::size_t i) { return is_far(i); });
+        indices_where<ConcurrencyTag>(points.size(), [&](std::size_t i) { return is_far(i); });
     if (far_ones.empty())
       return;
     // Twice as far as its second nearest, which is in the same speck. Of specks of 8 points, with a
     // deviation as large as the spacing of the surface, a quarter more are found than with three
     // times as far: these lead from one to another.
     constexpr double reach = 2.;
-    m_squared_reach.resize(cloud.size());
+    m_squared_reach.resize(points.size());
     for_each_index<ConcurrencyTag>(0, far_ones.size(), [&](std::size_t f) {
-      const Point& p = cloud.points[far_ones[f]];
+      const Point& p = points.point(far_ones[f]);
       m_squared_reach[far_ones[f]] =
-          reach * reach * cloud.search->squared_distance_of_nearest(p, 3);
+          reach * reach * points.cloud.search->squared_distance_of_nearest(p, 3);
     });
   }
 
   // The points that may be the first of a component: from there it is searched.
   std::vector<std::size_t> first_points() const
   {
-    return indices_where<ConcurrencyTag>(m_cloud.size(),
+    return indices_where<ConcurrencyTag>(m_points.size(),
                                          [&](std::size_t i) { return may_be_first(i); });
   }
 
@@ -70,7 +63,7 @@ public:
   std::vector<std::size_t> component_from(std::size_t first) const
   {
     // 512 points: fused photographs leave clusters of some hundreds in the air.
-    const std::size_t most = 32 * m_k;
+    const std::size_t most = 32 * m_points.k();
 
     std::vector<std::size_t> component(1, first);
     std::unordered_set<std::size_t> is_in_component = {first};
@@ -79,8 +72,8 @@ public:
     {
       const std::size_t i = component[visited];
       for_each_mutual_neighbor(
-          m_cloud, m_features, i,
-          [&](std::size_t j) { return m_is_outlier[j] == 0 && is_within_reach(i, j); },
+          m_points, i,
+          [&](std::size_t j) { return m_points.is_outlier[j] == 0 && is_within_reach(i, j); },
           [&](std::size_t j) {
             if (j < first || !may_be_in_cluster(j) || component.size() > most)
               is_part_of_more = true;
@@ -96,8 +89,8 @@ private:
   // may look flat.
   bool may_be_in_cluster(std::size_t i) const
   {
-    return is_far(i) || (m_is_outlier[i] == 0 &&
-                         m_features.surface_variation[i] > largest_variation_of_flat_points);
+    return is_far(i) || (m_points.is_outlier[i] == 0 &&
+                         m_points.features.surface_variation[i] > largest_variation_of_flat_points);
   }
 
   // The first point of a component is not linked to those before it on the curve. Of most
@@ -106,10 +99,11 @@ private:
   {
     if (!may_be_in_cluster(i))
       return false;
-    for (std::size_t j = i; j > 0 && i - j < m_k; --j)
-      if (m_is_outlier[j - 1] == 0 &&
-          squared_distance(m_cloud.points[j - 1], m_cloud.points[i]) <=
-              (std::min)(squared_radius(m_features, j - 1), squared_radius(m_features, i)) &&
+    for (std::size_t j = i; j > 0 && i - j < m_points.k(); --j)
+      if (m_points.is_outlier[j - 1] == 0 &&
+          squared_distance(m_points.point(j - 1), m_points.point(i)) <=
+              (std::min)(squared_radius(m_points.features, j - 1),
+                         squared_radius(m_points.features, i)) &&
           is_within_reach(i, j - 1))
         return false;
     return true;
@@ -118,7 +112,8 @@ private:
   // Whether the point is far from others, and no outlier by itself
   bool is_far(std::size_t i) const
   {
-    return m_is_outlier[i] == 0 && m_features.inverse_density[i] > m_sparse;
+    return m_points.is_outlier[i] == 0 &&
+           m_points.features.inverse_density[i] > m_points.sparseness.of_outliers;
   }
 
   // How far a point reaches that is far from others; any other reaches all
@@ -131,15 +126,11 @@ private:
   // nearest of each other as well.
   bool is_within_reach(std::size_t i, std::size_t j) const
   {
-    const double distance = squared_distance(m_cloud.points[i], m_cloud.points[j]);
+    const double distance = squared_distance(m_points.point(i), m_points.point(j));
     return distance <= squared_reach(i) || distance <= squared_reach(j);
   }
 
-  const Searchable_points& m_cloud;
-  const Features& m_features;
-  std::size_t m_k;
-  double m_sparse;
-  const Flags& m_is_outlier;
+  const Marked_points m_points;
   Uninitialized_vector<double> m_squared_reach; // of far points; empty if there are none
 };
 

@@ -8,9 +8,8 @@
 
 #include <CGAL/Curvature_aware_simplification_3/internal/features/shared_features.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/features/thick_and_sparse.h>
-#include <CGAL/Curvature_aware_simplification_3/internal/input/Searchable_points.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/outliers/Marked_points.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/outliers/is_off_plane_of_neighbors.h>
-#include <CGAL/Curvature_aware_simplification_3/internal/outliers/mutual_neighbors.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/outliers/sparse_surfaces.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/parameters/Adaptive_settings.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/tools/Flags.h>
@@ -34,23 +33,19 @@ template <typename ConcurrencyTag>
 class Outlier_votes
 {
 public:
-  // `is_outlier` has the marks, which others may set as well. Marked points do not count as voters
-  // when votes are asked for one by one, but their votes remain until they are taken back.
-  Outlier_votes(const Searchable_points& cloud, const Shared_features& shared,
-                const Sparseness& sparseness, bool are_outliers_dense,
-                const Adaptive_settings& settings, Flags& is_outlier)
-    : m_cloud(cloud),
+  // Others may set marks as well. Marked points do not count as voters when votes are asked for one
+  // by one, but their votes remain until they are taken back.
+  Outlier_votes(const Marked_points& points, const Shared_features& shared, bool are_outliers_dense,
+                const Adaptive_settings& settings)
+    : m_points(points),
       m_shared(shared),
-      m_k(shared.features.number_of_neighbors),
-      m_quarter((std::max)(m_k / 4, std::size_t(1))),
+      m_quarter((std::max)(points.k() / 4, std::size_t(1))),
       m_are_outliers_dense(are_outliers_dense),
-      m_sparseness(sparseness),
       m_settings(settings),
-      m_votes(cloud.size()),
-      m_is_in_layer(cloud.size(), 0),
-      m_is_outlier(is_outlier)
+      m_votes(points.size()),
+      m_is_in_layer(points.size(), 0)
   {
-    for_each_index<ConcurrencyTag>(0, cloud.size(), [&](std::size_t i) {
+    for_each_index<ConcurrencyTag>(0, points.size(), [&](std::size_t i) {
       m_votes[i].store(shared.votes[i] + 1, std::memory_order_relaxed);
     });
   }
@@ -65,7 +60,7 @@ public:
   // Marks outliers, which take their votes back. This uncovers others with few votes, and so on.
   void mark(const std::vector<std::size_t>& found)
   {
-    set_flags<ConcurrencyTag>(m_is_outlier, found, 1);
+    set_flags<ConcurrencyTag>(m_points.is_outlier, found, 1);
     take_back(found);
   }
 
@@ -77,10 +72,10 @@ public:
         with_less_votes([&](std::size_t i) { return few_votes(i); },
                         [&](std::size_t i) {
                           return votes(i) < m_quarter || !m_settings.keep_sparse_surfaces ||
-                                 variation_of_twice_the_radius(m_cloud, m_k, i) >
+                                 variation_of_twice_the_radius(m_points.cloud, m_points.k(), i) >
                                      least_variation_at_borders_of_volumes;
                         });
-    set_flags<ConcurrencyTag>(m_is_outlier, found, 1);
+    set_flags<ConcurrencyTag>(m_points.is_outlier, found, 1);
     return found;
   }
 
@@ -90,11 +85,12 @@ public:
   void keep_lone_points(const std::vector<std::size_t>& found)
   {
     const std::vector<std::size_t> lone = those_where<ConcurrencyTag>(found, [&](std::size_t i) {
-      return number_of_voters(i) > 0 && !is_off_plane_of_neighbors(m_cloud, m_k, m_is_outlier, i);
+      return number_of_voters(i) > 0 && !is_off_plane_of_neighbors(m_points, i);
     });
-    set_flags<ConcurrencyTag>(m_is_outlier, lone, 0);
+    set_flags<ConcurrencyTag>(m_points.is_outlier, lone, 0);
     for_each_index<ConcurrencyTag>(0, lone.size(), [&](std::size_t l) {
-      m_votes[lone[l]].store(static_cast<std::uint32_t>(m_k) + 1, std::memory_order_relaxed);
+      m_votes[lone[l]].store(static_cast<std::uint32_t>(m_points.k()) + 1,
+                             std::memory_order_relaxed);
     });
   }
 
@@ -103,11 +99,12 @@ public:
   // those off the surface are returned: among sparse ones, it may be outliers that are in a plane.
   std::vector<std::size_t> less_than_half() const
   {
-    return with_less_votes([&](std::size_t) { return m_k / 2; },
+    return with_less_votes([&](std::size_t) { return m_points.k() / 2; },
                            [&](std::size_t i) {
-                             return (m_is_in_layer[i] == 0 && m_shared.features.inverse_density[i] >
-                                                                  m_sparseness.of_sparse_parts) ||
-                                    is_off_plane_of_neighbors(m_cloud, m_k, m_is_outlier, i);
+                             return (m_is_in_layer[i] == 0 &&
+                                     m_shared.features.inverse_density[i] >
+                                         m_points.sparseness.of_sparse_parts) ||
+                                    is_off_plane_of_neighbors(m_points, i);
                            });
   }
 
@@ -120,11 +117,12 @@ public:
       for_each_index<ConcurrencyTag>(0, marked.size(), [&](std::size_t f) {
         const std::uint32_t number = m_shared.represented[marked[f]];
         if (number > 0)
-          m_cloud.search->for_each_nearest(
-              m_cloud.points[marked[f]], m_k + 1, [&](std::size_t j, const Point&, double) {
-                if (j != marked[f])
-                  m_votes[j].fetch_sub(number, std::memory_order_relaxed);
-              });
+          m_points.cloud.search->for_each_nearest(m_points.point(marked[f]), m_points.k() + 1,
+                                                  [&](std::size_t j, const Point&, double) {
+                                                    if (j != marked[f])
+                                                      m_votes[j].fetch_sub(
+                                                          number, std::memory_order_relaxed);
+                                                  });
       });
       marked = mark_few();
     }
@@ -142,7 +140,7 @@ private:
   {
     std::size_t number = 0;
     for_each_mutual_neighbor(
-        m_cloud, m_shared.features, i, [&](std::size_t j) { return m_is_outlier[j] == 0; },
+        m_points, i, [&](std::size_t j) { return m_points.is_outlier[j] == 0; },
         [&](std::size_t) { ++number; });
     return number;
   }
@@ -155,7 +153,7 @@ private:
   {
     return m_are_outliers_dense && m_is_in_layer[i] == 0 &&
                    is_thick_and_sparse(m_shared.features, i, least_variation_of_volumes,
-                                       m_sparseness.of_sparse_parts)
+                                       m_points.sparseness.of_sparse_parts)
                ? (std::max)(m_quarter, 2 * std::size_t(m_shared.votes[i]) / 3)
                : m_quarter;
   }
@@ -168,24 +166,21 @@ private:
   {
     const std::vector<std::size_t> candidates =
         indices_where<ConcurrencyTag>(m_votes.size(), [&](std::size_t i) {
-          return m_is_outlier[i] == 0 && votes(i) < needed_votes(i);
+          return m_points.is_outlier[i] == 0 && votes(i) < needed_votes(i);
         });
     return those_where<ConcurrencyTag>(candidates, [&](std::size_t i) {
       return number_of_voters(i) < needed_votes(i) && test(i);
     });
   }
 
-  const Searchable_points& m_cloud;
+  const Marked_points m_points;
   const Shared_features& m_shared;
-  std::size_t m_k;
   std::size_t m_quarter; // of k, but 1 at least
   bool m_are_outliers_dense;
-  Sparseness m_sparseness;
   const Adaptive_settings& m_settings;
   // Of each point, its own among them. Sums of integers: the order does not matter.
   Uninitialized_vector<std::atomic<std::uint32_t>> m_votes;
   Flags m_is_in_layer;
-  Flags& m_is_outlier;
 };
 
 } // namespace internal

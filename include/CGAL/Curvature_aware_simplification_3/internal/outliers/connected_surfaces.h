@@ -8,8 +8,7 @@
 
 #include <CGAL/Curvature_aware_simplification_3/internal/features/features.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/features/thick_and_sparse.h>
-#include <CGAL/Curvature_aware_simplification_3/internal/input/Searchable_points.h>
-#include <CGAL/Curvature_aware_simplification_3/internal/outliers/mutual_neighbors.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/outliers/Marked_points.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/outliers/sparse_surfaces.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/tools/Flags.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/tools/index_selection.h>
@@ -37,25 +36,24 @@ inline std::size_t needed_neighbors(std::size_t k, bool are_outliers_likely)
 }
 
 // Of the far ones that are marked, those of whose k nearest `needed` are of a surface and have them
-// among their own. An outlier that is far as well, with more than `sparse` 1/rho, and was not
-// marked since its neighborhood is flat by chance, is of none: others would follow it, one after
-// the other. What is far and thick and not marked any more is. `neighbors` counts these for all
-// points that are far and marked.
+// among their own. An outlier that is far as well, and was not marked since its neighborhood is
+// flat by chance, is of none: others would follow it, one after the other. What is far and thick
+// and not marked any more is. `neighbors` counts these for all points that are far and marked.
 template <typename ConcurrencyTag>
-std::vector<std::size_t>
-next_to_surface(const Searchable_points& cloud, const Features& features, std::size_t needed,
-                double sparse, const std::vector<std::size_t>& far_ones, const Flags& is_outlier,
-                std::vector<std::atomic<std::uint32_t>>& neighbors)
+std::vector<std::size_t> next_to_surface(const Marked_points& points, std::size_t needed,
+                                         const std::vector<std::size_t>& far_ones,
+                                         std::vector<std::atomic<std::uint32_t>>& neighbors)
 {
   const auto is_of_surface = [&](std::size_t j) {
-    return is_outlier[j] == 0 && (features.inverse_density[j] <= sparse ||
-                                  features.surface_variation[j] > least_variation_of_volumes);
+    return points.is_outlier[j] == 0 &&
+           (points.features.inverse_density[j] <= points.sparseness.of_outliers ||
+            points.features.surface_variation[j] > least_variation_of_volumes);
   };
   return those_where<ConcurrencyTag>(far_ones, [&](std::size_t i) {
-    if (is_outlier[i] == 0)
+    if (points.is_outlier[i] == 0)
       return false;
     std::uint32_t number = 0;
-    for_each_mutual_neighbor(cloud, features, i, is_of_surface, [&](std::size_t) { ++number; });
+    for_each_mutual_neighbor(points, i, is_of_surface, [&](std::size_t) { ++number; });
     neighbors[i].store(number, std::memory_order_relaxed);
     return number >= needed;
   });
@@ -67,25 +65,25 @@ next_to_surface(const Searchable_points& cloud, const Features& features, std::s
 // be too dense to be marked and connect others: those are left that look like space. O(k + log n)
 // for each far one, and for each one unmarked.
 template <typename ConcurrencyTag>
-void unmark_connected(const Searchable_points& cloud, const Features& features, double sparse,
-                      bool are_outliers_likely, const std::vector<std::size_t>& far_ones,
-                      Flags& is_outlier)
+void unmark_connected(const Marked_points& points, bool are_outliers_likely,
+                      const std::vector<std::size_t>& far_ones)
 {
-  const std::size_t k = features.number_of_neighbors;
-  const std::size_t needed = needed_neighbors(k, are_outliers_likely);
+  Flags& is_outlier = points.is_outlier;
+  const std::size_t needed = needed_neighbors(points.k(), are_outliers_likely);
   // of those that are far and marked; others are never asked, as if they had more than enough
   // already
-  std::vector<std::atomic<std::uint32_t>> neighbors(cloud.size());
-  for_each_index<ConcurrencyTag>(0, cloud.size(), [&](std::size_t i) {
+  std::vector<std::atomic<std::uint32_t>> neighbors(points.size());
+  for_each_index<ConcurrencyTag>(0, points.size(), [&](std::size_t i) {
     neighbors[i].store(static_cast<std::uint32_t>(needed), std::memory_order_relaxed);
   });
-  std::vector<std::size_t> asked = next_to_surface<ConcurrencyTag>(cloud, features, needed, sparse,
-                                                                   far_ones, is_outlier, neighbors);
+  std::vector<std::size_t> asked =
+      next_to_surface<ConcurrencyTag>(points, needed, far_ones, neighbors);
   while (!asked.empty())
   {
     for_each_index<ConcurrencyTag>(0, asked.size(), [&](std::size_t a) {
       if (!are_outliers_likely ||
-          variation_of_twice_the_radius(cloud, k, asked[a]) <= largest_variation_of_parts)
+          variation_of_twice_the_radius(points.cloud, points.k(), asked[a]) <=
+              largest_variation_of_parts)
         is_outlier[asked[a]] = 0;
     });
     // Each is asked in the round in which it gets the last neighbor it needs; in which order does
@@ -94,7 +92,7 @@ void unmark_connected(const Searchable_points& cloud, const Features& features, 
     for_each_index<ConcurrencyTag>(0, asked.size(), [&](std::size_t a) {
       if (is_outlier[asked[a]] == 0)
         for_each_mutual_neighbor(
-            cloud, features, asked[a], [&](std::size_t j) { return is_outlier[j] != 0; },
+            points, asked[a], [&](std::size_t j) { return is_outlier[j] != 0; },
             [&](std::size_t j) {
               if (neighbors[j].fetch_add(1, std::memory_order_relaxed) + 1 == needed)
                 reached[a].push_back(j);

@@ -34,32 +34,30 @@ namespace internal {
 // those that are rather far, but for those that other points show to be on a surface.
 // `number_with_few_votes` of the outliers are near it. Returns those that are in noisy layers.
 template <typename ConcurrencyTag>
-std::vector<std::size_t> mark_far_points(const Searchable_points& cloud, const Features& features,
-                                         const Sparseness& sparseness,
+std::vector<std::size_t> mark_far_points(const Marked_points& points,
                                          std::size_t number_with_few_votes, bool are_dense,
-                                         const Adaptive_settings& settings, Flags& is_outlier)
+                                         const Adaptive_settings& settings)
 {
+  const Features& features = points.features;
+  const Sparseness& sparseness = points.sparseness;
   const std::vector<std::size_t> far_ones =
-      indices_where<ConcurrencyTag>(cloud.size(), [&](std::size_t i) {
-        return is_outlier[i] == 0 &&
+      indices_where<ConcurrencyTag>(points.size(), [&](std::size_t i) {
+        return points.is_outlier[i] == 0 &&
                (is_thick_and_sparse(features, i, least_variation_of_volumes,
                                     sparseness.of_outliers) ||
                 (are_dense && is_thick_and_sparse(features, i, least_variation_of_round_volumes,
                                                   sparseness.of_sparse_parts)));
       });
-  set_flags<ConcurrencyTag>(is_outlier, far_ones, 1);
+  set_flags<ConcurrencyTag>(points.is_outlier, far_ones, 1);
   if (!settings.keep_sparse_surfaces || far_ones.empty())
     return {};
-  const bool are_likely = are_outliers_likely<ConcurrencyTag>(cloud, features.number_of_neighbors,
+  const bool are_likely = are_outliers_likely<ConcurrencyTag>(points.cloud, points.k(),
                                                               number_with_few_votes, far_ones);
   std::vector<std::size_t> in_layers;
   if (settings.keep_noisy_layers)
-    in_layers = unmark_noisy_layers<ConcurrencyTag>(cloud, features, sparseness.of_sparse_parts,
-                                                    far_ones, is_outlier);
-  unmark_sparse_surfaces<ConcurrencyTag>(cloud, features, sparseness.of_sparse_parts,
-                                         needed_share_of_support(are_likely), far_ones, is_outlier);
-  unmark_connected<ConcurrencyTag>(cloud, features, sparseness.of_outliers, are_likely, far_ones,
-                                   is_outlier);
+    in_layers = unmark_noisy_layers<ConcurrencyTag>(points, far_ones);
+  unmark_sparse_surfaces<ConcurrencyTag>(points, needed_share_of_support(are_likely), far_ones);
+  unmark_connected<ConcurrencyTag>(points, are_likely, far_ones);
   return in_layers;
 }
 
@@ -100,25 +98,21 @@ Flags find_outliers(const Searchable_points& cloud, const Shared_features& share
                     const Adaptive_settings& settings, const Progress& progress)
 {
   Flags is_outlier(cloud.size(), 0);
-  const Sparseness sparseness = sparseness_of(shared.features.inverse_density);
-  const bool are_dense = are_far_points_dense<ConcurrencyTag>(shared.features, sparseness);
-  Outlier_votes<ConcurrencyTag> votes(cloud, shared, sparseness, are_dense, settings, is_outlier);
+  const Marked_points points{cloud, shared.features, sparseness_of(shared.features.inverse_density),
+                             is_outlier};
+  const bool are_dense = are_far_points_dense<ConcurrencyTag>(points.features, points.sparseness);
+  Outlier_votes<ConcurrencyTag> votes(points, shared, are_dense, settings);
   const std::vector<std::size_t> with_few_votes = votes.mark_few();
   const bool are_more_than_a_few = is_more_than_a_few(with_few_votes.size(), cloud.size());
   if (settings.keep_lone_points && !are_more_than_a_few)
     votes.keep_lone_points(with_few_votes);
   progress.report(0.2);
-  votes.trust(mark_far_points<ConcurrencyTag>(
-      cloud, shared.features, sparseness, with_few_votes.size(), are_dense, settings, is_outlier));
+  votes.trust(mark_far_points<ConcurrencyTag>(points, with_few_votes.size(), are_dense, settings));
   progress.report(0.5);
   votes.take_back(flagged_indices<ConcurrencyTag>(is_outlier));
   progress.report(0.7);
   if (settings.find_clusters)
-  {
-    const std::vector<std::size_t> found = isolated_clusters<ConcurrencyTag>(
-        cloud, shared.features, sparseness.of_outliers, is_outlier);
-    votes.mark(found);
-  }
+    votes.mark(isolated_clusters<ConcurrencyTag>(points));
   progress.report(0.9);
   if (are_more_than_a_few)
   {

@@ -8,7 +8,7 @@
 
 #include <CGAL/Curvature_aware_simplification_3/internal/fitting/Covariance_sums.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/fitting/principal_axes.h>
-#include <CGAL/Curvature_aware_simplification_3/internal/input/Searchable_points.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/outliers/Marked_points.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/tools/Flags.h>
 
 #include <algorithm>
@@ -24,18 +24,17 @@ namespace internal {
 // end of a surface is not, though it has few votes. With 0.1, 0.2, 0.3 and 0.4, of the points of a
 // surface that are lost without this, 0.42, 0.22, 0.12 and 0.05 still are (5 % outliers), and up to
 // 1.5 % more outliers are missed.
-inline bool is_off_plane_of_neighbors(const Searchable_points& cloud, std::size_t k,
-                                      const Flags& is_outlier, std::size_t i)
+inline bool is_off_plane_of_neighbors(const Marked_points& points, std::size_t i)
 {
   constexpr double far_off = 0.3;
   Covariance_sums sums;
   double squared_radius = 0.;
-  cloud.search->for_each_nearest(cloud.points[i], k + 1,
-                                 [&](std::size_t j, const Point& p, double squared_distance) {
-                                   squared_radius = (std::max)(squared_radius, squared_distance);
-                                   if (j != i && is_outlier[j] == 0)
-                                     sums.add(p - cloud.points[i]);
-                                 });
+  points.cloud.search->for_each_nearest(
+      points.point(i), points.k() + 1, [&](std::size_t j, const Point& p, double squared_distance) {
+        squared_radius = (std::max)(squared_radius, squared_distance);
+        if (j != i && points.is_outlier[j] == 0)
+          sums.add(p - points.point(i));
+      });
   return sums.weight < 3. ||
          std::abs(sums.mean() * principal_axis(sums, 0)) >= far_off * std::sqrt(squared_radius);
 }

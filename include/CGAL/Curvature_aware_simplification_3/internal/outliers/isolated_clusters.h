@@ -10,8 +10,8 @@
 #include <CGAL/Curvature_aware_simplification_3/internal/features/thick_and_sparse.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/fitting/Covariance_sums.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/fitting/principal_axes.h>
-#include <CGAL/Curvature_aware_simplification_3/internal/input/Searchable_points.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/outliers/Linked_points.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/outliers/Marked_points.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/tools/Flags.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/tools/loops.h>
 
@@ -62,60 +62,51 @@ inline bool is_thick(const Features& features, const std::vector<std::size_t>& c
 // about as far from a cluster as it is wide. Where points come in small groups, as if each were
 // measured many times, these are nearer to each other. Counted is how many points are in the ball,
 // not which: a cluster has hardly any that are so far out, and each of these lets one other in.
-inline bool is_apart(const Searchable_points& cloud, const Flags& is_outlier, std::size_t size,
-                     const Point& center, double radius)
+inline bool is_apart(const Marked_points& points, std::size_t size, const Point& center,
+                     double radius)
 {
-  return !cloud.search->are_more_within(
+  return !points.cloud.search->are_more_within(
       center, radius, size,
-      [&](std::size_t j, const Point&, double) { return is_outlier[j] == 0; });
+      [&](std::size_t j, const Point&, double) { return points.is_outlier[j] == 0; });
 }
 
 // Whether it is as thick as wide, and so many times its width from all else
-inline bool is_isolated_volume(const Searchable_points& cloud, const Features& features,
-                               const Flags& is_outlier, const std::vector<std::size_t>& cluster,
+inline bool is_isolated_volume(const Marked_points& points, const std::vector<std::size_t>& cluster,
                                double widths)
 {
   if (cluster.empty())
     return false;
   Covariance_sums sums;
   for (std::size_t i : cluster)
-    sums.add(cloud.points[i] - cloud.points[cluster.front()]);
+    sums.add(points.point(i) - points.point(cluster.front()));
   const Eigen::Vector3d lambda = eigenvalues(sums);
-  return is_thick(features, cluster, lambda) &&
-         is_apart(cloud, is_outlier, cluster.size(), cloud.points[cluster.front()] + sums.mean(),
+  return is_thick(points.features, cluster, lambda) &&
+         is_apart(points, cluster.size(), points.point(cluster.front()) + sums.mean(),
                   3. * widths * std::sqrt((std::max)(lambda.sum(), 0.)));
 }
 
 // Whether it is a few points that are far from others
-inline bool is_speck(const Features& features, double sparse,
-                     const std::vector<std::size_t>& cluster)
+inline bool is_speck(const Marked_points& points, const std::vector<std::size_t>& cluster)
 {
-  return cluster.size() <= features.number_of_neighbors &&
-         features.inverse_density[cluster.front()] > sparse;
+  return cluster.size() <= points.k() &&
+         points.features.inverse_density[cluster.front()] > points.sparseness.of_outliers;
 }
 
 // All their points. Components of the graph are searched from the places where the Hilbert curve
 // jumps between points that are not flat; up to 32 k points of each are visited, which takes O(k +
-// log n) each. Points with more than `sparse` 1/rho are far from others.
+// log n) each.
 template <typename ConcurrencyTag>
-std::vector<std::size_t> isolated_clusters(const Searchable_points& cloud, const Features& features,
-                                           double sparse, const Flags& is_outlier)
+std::vector<std::size_t> isolated_clusters(const Marked_points& points)
 {
-  const Linked_points<ConcurrencyTag> graph(cloud, features, sparse, is_outlier);
+  const Linked_points<ConcurrencyTag> graph(points);
   const std::vector<std::size_t> first = graph.first_points();
-  const auto is_isolated = [&](const std::vector<std::size_t>& cluster, double widths) {
-    return is_isolated_volume(cloud, features, is_outlier, cluster, widths);
-  };
-  const auto is_a_speck = [&](const std::vector<std::size_t>& cluster) {
-    return is_speck(features, sparse, cluster);
-  };
   std::vector<std::vector<std::size_t>> clusters(first.size());
   Flags is_clear(first.size(), 0);
   for_each_index<ConcurrencyTag>(0, first.size(), [&](std::size_t c) {
     std::vector<std::size_t> cluster = graph.component_from(first[c]);
-    if (!is_isolated(cluster, 1.))
+    if (!is_isolated_volume(points, cluster, 1.))
       return;
-    is_clear[c] = !is_a_speck(cluster) || is_isolated(cluster, 2.) ? 1 : 0;
+    is_clear[c] = !is_speck(points, cluster) || is_isolated_volume(points, cluster, 2.) ? 1 : 0;
     clusters[c].swap(cluster);
   });
   // Where a thin part becomes sparse, a few of its points may be apart by chance: on posts and a
@@ -123,8 +114,8 @@ std::vector<std::size_t> isolated_clusters(const Searchable_points& cloud, const
   // square, 9 of 10 are farther than 7.5.
   std::size_t in_clear_specks = 0;
   for (std::size_t c = 0; c < clusters.size(); ++c)
-    in_clear_specks += is_clear[c] != 0 && is_a_speck(clusters[c]) ? clusters[c].size() : 0;
-  const bool are_specks = is_more_than_a_few(in_clear_specks, cloud.size());
+    in_clear_specks += is_clear[c] != 0 && is_speck(points, clusters[c]) ? clusters[c].size() : 0;
+  const bool are_specks = is_more_than_a_few(in_clear_specks, points.size());
   std::vector<std::size_t> result;
   for (std::size_t c = 0; c < clusters.size(); ++c)
     if (is_clear[c] != 0 || are_specks)

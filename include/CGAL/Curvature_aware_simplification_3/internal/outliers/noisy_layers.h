@@ -6,10 +6,9 @@
 #ifndef CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_OUTLIERS_NOISY_LAYERS_H
 #define CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_OUTLIERS_NOISY_LAYERS_H
 
-#include <CGAL/Curvature_aware_simplification_3/internal/features/features.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/fitting/Covariance_sums.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/fitting/principal_axes.h>
-#include <CGAL/Curvature_aware_simplification_3/internal/input/Searchable_points.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/outliers/Marked_points.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/tools/Curve_ranges.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/tools/Flags.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/tools/index_selection.h>
@@ -49,21 +48,20 @@ struct Thick_plane
 // 16 k = 256 below the limit for up to 2 spacings, with 64 k for up to 4. That of a half ball, as
 // at the border of a volume, is 0.13, and 0.09 or more for 256 points of one. On 13 shapes with 1
 // to 40 % outliers, no place passes both tests, some each of them.
-inline std::optional<Thick_plane> sparse_layer(const Searchable_points& cloud,
-                                               const Features& features, const Point& place,
-                                               std::size_t number, double sparse)
+inline std::optional<Thick_plane> sparse_layer(const Marked_points& points, const Point& place,
+                                               std::size_t number)
 {
   constexpr double largest_variation = 0.09;
   // A surface among outliers is denser than they are, and outnumbers them; where far points are a
   // surface, those near it on other parts are few.
   constexpr double most = 0.75;
-  if (2 * number > cloud.size()) // they are the scan, and not a part of it
+  if (2 * number > points.size()) // they are the scan, and not a part of it
     return std::nullopt;
   Covariance_sums sums;
   std::size_t sparse_ones = 0;
-  cloud.search->for_each_nearest(place, number, [&](std::size_t j, const Point& p, double) {
+  points.cloud.search->for_each_nearest(place, number, [&](std::size_t j, const Point& p, double) {
     sums.add(p - place);
-    if (features.inverse_density[j] > sparse)
+    if (points.features.inverse_density[j] > points.sparseness.of_sparse_parts)
       ++sparse_ones;
   });
   const Eigen::Vector3d lambda = eigenvalues(sums);
@@ -77,25 +75,24 @@ inline std::optional<Thick_plane> sparse_layer(const Searchable_points& cloud,
 // Unmarks those of the far ones that are in such a layer, and returns them. One place tells for 16
 // k of them along the Hilbert curve, about as many as it looks at. O(log n) for each far one.
 template <typename ConcurrencyTag>
-std::vector<std::size_t>
-unmark_noisy_layers(const Searchable_points& cloud, const Features& features, double sparse,
-                    const std::vector<std::size_t>& far_ones, Flags& is_outlier)
+std::vector<std::size_t> unmark_noisy_layers(const Marked_points& points,
+                                             const std::vector<std::size_t>& far_ones)
 {
-  const std::size_t n = far_ones.size(), k = features.number_of_neighbors;
+  const std::size_t n = far_ones.size(), k = points.k();
   const Curve_ranges ranges{n / (16 * k) + 1, n};
   Flags is_in_layer(n, 0);
   for_each_index<ConcurrencyTag>(0, ranges.number, [&](std::size_t range) {
     const std::size_t begin = ranges.first_point(range), end = ranges.first_point(range + 1);
-    const Point& place = cloud.points[far_ones[begin + (end - begin) / 2]];
-    std::optional<Thick_plane> layer = sparse_layer(cloud, features, place, 16 * k, sparse);
+    const Point& place = points.point(far_ones[begin + (end - begin) / 2]);
+    std::optional<Thick_plane> layer = sparse_layer(points, place, 16 * k);
     if (!layer)
-      layer = sparse_layer(cloud, features, place, 64 * k, sparse);
+      layer = sparse_layer(points, place, 64 * k);
     for (std::size_t f = begin; layer && f < end; ++f)
-      is_in_layer[f] = layer->holds(cloud.points[far_ones[f]]) ? 1 : 0;
+      is_in_layer[f] = layer->holds(points.point(far_ones[f])) ? 1 : 0;
   });
   const std::vector<std::size_t> in_layers =
       elements_at<ConcurrencyTag>(flagged_indices<ConcurrencyTag>(is_in_layer), far_ones);
-  set_flags<ConcurrencyTag>(is_outlier, in_layers, 0);
+  set_flags<ConcurrencyTag>(points.is_outlier, in_layers, 0);
   return in_layers;
 }
 

@@ -11,6 +11,7 @@
 #include <CGAL/Curvature_aware_simplification_3/internal/fitting/Covariance_sums.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/fitting/principal_axes.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/input/Searchable_points.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/outliers/Marked_points.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/tools/Flags.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/tools/index_selection.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/tools/loops.h>
@@ -84,18 +85,19 @@ inline double needed_share_of_support(bool are_outliers_likely)
   return are_outliers_likely ? 1. / 4. : 1. / 16.;
 }
 
-// Unmarks those of the far ones that have enough support of flat points with more than
-// `least_inverse_density` 1/rho, which are among other such points. They support others in the next
+// Unmarks those of the far ones that have enough support of flat and sparse points, which are among
+// other such points. They support others in the next
 // round. O(n), and O(k + log n) for each point that supports.
 template <typename ConcurrencyTag>
-void unmark_sparse_surfaces(const Searchable_points& cloud, const Features& features,
-                            double least_inverse_density, double needed_share,
-                            const std::vector<std::size_t>& far_ones, Flags& is_outlier)
+void unmark_sparse_surfaces(const Marked_points& points, double needed_share,
+                            const std::vector<std::size_t>& far_ones)
 {
+  const Features& features = points.features;
+  Flags& is_outlier = points.is_outlier;
   // Each reaches one neighborhood farther. Where outliers and a surface are equally sparse, there
   // has to be an end: one would follow the other. With four, some legs of animals are lost.
   constexpr int most_rounds = 8;
-  const std::size_t many = neighbors_within_twice_the_radius(features.number_of_neighbors);
+  const std::size_t many = neighbors_within_twice_the_radius(points.k());
   const auto share_of_many = [&](double share) {
     return (std::max)(static_cast<std::size_t>(share * static_cast<double>(many)), std::size_t(1));
   };
@@ -104,23 +106,23 @@ void unmark_sparse_surfaces(const Searchable_points& cloud, const Features& feat
 
   const auto is_flat_and_sparse = [&](std::size_t i) {
     return is_outlier[i] == 0 && features.surface_variation[i] <= least_variation_of_volumes &&
-           features.inverse_density[i] > least_inverse_density;
+           features.inverse_density[i] > points.sparseness.of_sparse_parts;
   };
   std::vector<std::size_t> supporters =
-      indices_where<ConcurrencyTag>(cloud.size(), is_flat_and_sparse);
-  std::vector<std::atomic<std::uint32_t>> support(cloud.size());
+      indices_where<ConcurrencyTag>(points.size(), is_flat_and_sparse);
+  std::vector<std::atomic<std::uint32_t>> support(points.size());
   for (int round = 0; round < most_rounds && !supporters.empty(); ++round)
   {
     for_each_index<ConcurrencyTag>(0, supporters.size(), [&](std::size_t s) {
       std::vector<std::size_t> marked;
       std::size_t flat_and_sparse = 0; // with itself
-      cloud.search->for_each_nearest(cloud.points[supporters[s]], many + 1,
-                                     [&](std::size_t j, const Point&, double) {
-                                       if (is_outlier[j] != 0)
-                                         marked.push_back(j);
-                                       else if (is_flat_and_sparse(j))
-                                         ++flat_and_sparse;
-                                     });
+      points.cloud.search->for_each_nearest(points.point(supporters[s]), many + 1,
+                                            [&](std::size_t j, const Point&, double) {
+                                              if (is_outlier[j] != 0)
+                                                marked.push_back(j);
+                                              else if (is_flat_and_sparse(j))
+                                                ++flat_and_sparse;
+                                            });
       if (round > 0 || flat_and_sparse > flat_around_flat)
         for (std::size_t j : marked)
           support[j].fetch_add(1, std::memory_order_relaxed);

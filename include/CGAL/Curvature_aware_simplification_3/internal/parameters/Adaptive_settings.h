@@ -108,13 +108,16 @@ struct Adaptive_settings
   // With 2 or 3, the mean error is the same to 1 %; with steps that stay long, samples never
   // settle.
   double length_of_first_steps = 2.5;
-  // Samples on sparse points around which no surface is seen rest there.
-  bool rest_without_surface = true;
   // Samples are not pushed across a border.
   bool keep_borders = true;
 
   // Fits on a line of a scan, and with noise between two, take more neighbors.
   bool widen_between_lines = true;
+  // Without noise, samples on sparse points go back to one where noise of a point would be more than
+  // so many times as large at the height of the fit, as beside wires and poles. With 3, samples in a
+  // laser scan are 4 % nearer to the surface, but where the density varies 30 : 1 and more, the mean
+  // error is 1 % larger, with 2 2 to 3 %; among dense points, that of open surfaces 3 to 10 %.
+  double largest_amplification = 4.;
   // How often the ball of a fit is moved to the foot point. Three moves bring a point
   // from 4 sigma to within the tolerance of sigma / 2.
   int moves_to_foot_point = 3;

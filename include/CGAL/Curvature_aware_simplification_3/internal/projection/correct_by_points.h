@@ -39,10 +39,10 @@ inline bool is_missed(const Surface_sample& x, const Point& nearest)
   // Noise alone carries one point in 2000 that far. With 2.5, one in 80, single samples went to
   // them: errors with noise are 1 % larger. With 5, samples of sparse points are farther off.
   constexpr double largest_noise = 3.5;
-  return !x.rests && std::abs(x.surface.residual(nearest - x.surface.origin)) >
-                         (std::max)((std::min)(largest_error * x.surface.radius,
-                                               largest_error_in_spacings * x.spacing),
-                                    largest_noise * x.noise->level);
+  return std::abs(x.surface.residual(nearest - x.surface.origin)) >
+         (std::max)(
+             (std::min)(largest_error * x.surface.radius, largest_error_in_spacings * x.spacing),
+             largest_noise * x.noise->level);
 }
 
 // The squared distance of a point to the nearest of these samples

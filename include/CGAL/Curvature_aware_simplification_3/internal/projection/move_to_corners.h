@@ -86,8 +86,6 @@ std::optional<Target> nearest_corner(const Surface_sample& x, const Neighbors& n
   // of a disk is taken for one next to a corner, and moves by half a spacing at most.
   constexpr std::size_t k = 65;
 
-  if (x.rests)
-    return std::nullopt;
   const Way_out out = way_out(x, neighbors, points);
   if (!(out.direction.squared_length() > at_border * at_border &&
         out.mean_distance > least_mean_distance * x.spacing))

@@ -110,7 +110,7 @@ std::optional<Target> nearest_edge_point(const Surface_sample& x, const Neighbor
   // percentile of the error of CAD parts is 6 % larger.
   constexpr double reach = 1.;
 
-  if (x.rests || !(x.surface.radius > 0.))
+  if (!(x.surface.radius > 0.))
     return std::nullopt;
   const Point center = bent.nearest(x.point);
   if (squared_distance(center, x.point) > reach * reach * x.spacing * x.spacing)

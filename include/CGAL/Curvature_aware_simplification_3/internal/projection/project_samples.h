@@ -41,8 +41,7 @@ void project_samples(std::vector<Surface_sample>& samples, const Sample_neighbor
   std::vector<Point> nearest(samples.size());
   for_each_index<ConcurrencyTag>(samples.size(), progress.part(0., 0.4), [&](std::size_t i) {
     Surface_sample& x = samples[i];
-    nearest[i] =
-        x.rests ? x.point : x.place(fitter.at(*x.noise), x.point, x.normal(), rounds_to_stay);
+    nearest[i] = x.place(fitter.at(*x.noise), x.point, x.normal(), rounds_to_stay);
   });
   if (fitter.settings.denoise && scan.noise.is_visible())
     denoise_samples<ConcurrencyTag>(samples, fitter, progress.part(0.4, 0.75));

@@ -28,7 +28,6 @@ struct Surface_sample
   double spacing = 0.;             // wanted distance to its neighbors, s
   const Noise* noise = &no_noise;  // of the input around, of the levels of the scan
   Point point = Point(0., 0., 0.); // at (a, b), until the projection moves it off the surface
-  bool rests = false;              // on a point of the input, which shows no surface to move on
 
   Vector normal() const { return surface.normal(a, b); }
 
@@ -62,17 +61,13 @@ private:
   // Whether the height is known less well than that of a point, as beside a pole: one sample in
   // twenty was up to half of the spacing off. Across a curve, it is not known, and not asked for.
   // Without noise, points tell more: only where they are sparse, it has to be known much less well.
-  // With 3 instead of 4, samples in a laser scan are 4 % nearer to the surface, but the mean error
-  // where the density varies 30 : 1 and more is 1 % larger, with 2 2 to 3 %; of dense points, that
-  // of open surfaces 3 to 10 %.
   bool is_beside_neighbors(const Surface_fit& fit) const
   {
-    constexpr double largest_of_exact_points = 4.;
     if (surface.is_curve)
       return false;
     if (fit.noise.independent_level > 0.)
       return surface.amplification > 1.;
-    return surface.amplification > largest_of_exact_points &&
+    return surface.amplification > fit.settings.largest_amplification &&
            surface.radius * surface.radius >
                fit.sparse_inverse_density * static_cast<double>(surface.neighbors);
   }

@@ -27,8 +27,6 @@ namespace internal {
 inline void move_on_surface(Surface_sample& x, const Vector& repulsion,
                             const Surface_fitter& fitter)
 {
-  if (x.rests)
-    return;
   constexpr double trusted = 0.7; // of the radius of a fit: half of its area
   const Vector step = limited_step(repulsion, x.spacing);
   double a = x.a + step * x.surface.u, b = x.b + step * x.surface.v;

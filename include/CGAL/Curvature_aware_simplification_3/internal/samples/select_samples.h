@@ -50,10 +50,7 @@ select_samples(Scan& scan, std::size_t number_of_samples, const Parameters& para
     samples[i].point = selected_points[i];
     samples[i].spacing = lattice_spacing(wanted.density[wanted.ranges.range_of(selected[i])]);
     samples[i].noise = &scan.noise.at(selected[i]);
-    samples[i].rests = settings.rest_without_surface && scan.shows_no_surface[selected[i]] != 0 &&
-                       !samples[i].noise->is_visible;
   });
-  scan.shows_no_surface = Flags();
   return samples;
 }
 
@@ -64,10 +61,7 @@ void place_on_surface(std::vector<Surface_sample>& samples, const Surface_fitter
 {
   for_each_index<ConcurrencyTag>(samples.size(), progress, [&](std::size_t i) {
     Surface_sample& x = samples[i];
-    const Point start = x.point;
-    x.place(fitter.at(*x.noise), start, NULL_VECTOR, rounds_to_move);
-    if (x.rests)
-      x.point = start;
+    x.place(fitter.at(*x.noise), x.point, NULL_VECTOR, rounds_to_move);
   });
 }
 
