@@ -167,8 +167,9 @@ TEST(Adaptive, lies_on_poles)
   }
 }
 
-// From where a scanner stands, it meets the ground everywhere and far posts here and there: fits held
-// several of them, or a strip of one, and their samples hung in the air between and beside them.
+// From where a scanner stands, it meets the ground everywhere and far posts here and there: fits
+// held several of them, or a strip of one, and their samples hung in the air between and beside
+// them.
 TEST(Adaptive, lies_on_what_one_laser_scanner_meets)
 {
   constexpr double radius = 0.1, height = 6., far = 25.;

@@ -266,8 +266,8 @@ std::optional<Point> first_point_on_ray(const Point& start, const Vector& direct
 }
 
 // What a rotating laser scanner in a street sees of the ground, of 30 posts and of four wires, in
-// meters, with rays in random directions in rings of half a degree: points are 1 / r^2 as dense, and
-// of thin parts they are few. The density varies 1 : 1,000.
+// meters, with rays in random directions in rings of half a degree: points are 1 / r^2 as dense,
+// and of thin parts they are few. The density varies 1 : 1,000.
 inline Analytic_surface street()
 {
   const Point scanner(0., 0., 1.7);

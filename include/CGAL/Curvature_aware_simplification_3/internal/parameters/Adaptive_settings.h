@@ -113,10 +113,11 @@ struct Adaptive_settings
 
   // Fits on a line of a scan, and with noise between two, take more neighbors.
   bool widen_between_lines = true;
-  // Without noise, samples on sparse points go back to one where noise of a point would be more than
-  // so many times as large at the height of the fit, as beside wires and poles. With 3, samples in a
-  // laser scan are 4 % nearer to the surface, but where the density varies 30 : 1 and more, the mean
-  // error is 1 % larger, with 2 2 to 3 %; among dense points, that of open surfaces 3 to 10 %.
+  // Without noise, samples on sparse points go back to one where noise of a point would be more
+  // than so many times as large at the height of the fit, as beside wires and poles. With 3,
+  // samples in a laser scan are 4 % nearer to the surface, but where the density varies 30 : 1 and
+  // more, the mean error is 1 % larger, with 2 2 to 3 %; among dense points, that of open surfaces
+  // 3 to 10 %.
   double largest_amplification = 4.;
   // How often the ball of a fit is moved to the foot point. Three moves bring a point
   // from 4 sigma to within the tolerance of sigma / 2.

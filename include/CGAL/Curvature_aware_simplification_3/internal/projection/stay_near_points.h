@@ -44,8 +44,8 @@ inline bool is_beyond_neighbors(const Point& nearest, double squared_distance,
          ratio * ratio * input.squared_distance_of_nearest(nearest, with_four_neighbors);
 }
 
-// Moves samples whose surfaces are not known to the nearest points of the input. `known` has a point
-// of the input for each, which may be the nearest.
+// Moves samples whose surfaces are not known to the nearest points of the input. `known` has a
+// point of the input for each, which may be the nearest.
 template <typename ConcurrencyTag>
 void stay_near_points(std::vector<Surface_sample>& samples, const std::vector<Point>& known,
                       const Neighbor_search& input)
