@@ -253,7 +253,7 @@ template <typename SignedDistance>
 std::optional<Point> first_point_on_ray(const Point& start, const Vector& direction, double far,
                                         const SignedDistance& signed_distance)
 {
-  constexpr double close_enough = 1e-6;
+  constexpr double close_enough = 1e-10;
   for (double t = 0.; t < far;)
   {
     const Point p = start + t * direction;
