@@ -172,7 +172,7 @@ TEST(Adaptive, lies_on_poles)
 // them.
 TEST(Adaptive, lies_on_what_one_laser_scanner_meets)
 {
-  constexpr double radius = 0.1, height = 6., far = 25.;
+  constexpr double radius = 0.1, height = 6., farthest = 25.;
   const Point scanner(0., 0., 1.7);
   CGAL::Random random(47);
   std::vector<Point> feet;
@@ -198,7 +198,7 @@ TEST(Adaptive, lies_on_what_one_laser_scanner_meets)
       const double up = -1.05 + 0.012 * row, around = 2. * CGAL_PI * column / 500.;
       const Vector ray(std::cos(up) * std::cos(around), std::cos(up) * std::sin(around),
                        std::sin(up));
-      double nearest = ray.z() < 0. ? -scanner.z() / ray.z() : 2. * far;
+      double nearest = ray.z() < 0. ? -scanner.z() / ray.z() : 2. * farthest;
       for (const Point& foot : feet)
       {
         const double a = ray.x() * ray.x() + ray.y() * ray.y();
@@ -208,7 +208,7 @@ TEST(Adaptive, lies_on_what_one_laser_scanner_meets)
         if (b * b > a * c && t > 0. && t < nearest && scanner.z() + t * ray.z() < height)
           nearest = t;
       }
-      if (nearest < far)
+      if (nearest < farthest)
         points.push_back(scanner + nearest * ray);
     }
   const std::vector<Point> output = simplified(points, np::number_of_output_points(1500));

@@ -322,7 +322,6 @@ TEST(Fit, starts_from_the_point_and_the_normal_it_is_given)
   }
 }
 
-// Noise makes the ball of a fit wide, and one over a gap between two feet has points on all sides.
 // A strip of 40 rows of three points along y, as a scanner sees of a pole: beside it, the height is
 // known more than four times less well than that of a point.
 TEST(Surface_sample, does_not_stay_beside_sparse_exact_points)
@@ -340,11 +339,12 @@ TEST(Surface_sample, does_not_stay_beside_sparse_exact_points)
             Vector(0., 0., 1.), rounds_to_move);
     return x.point.x();
   };
-  // 1 / rho of the fit is its squared radius of 1.1 over 19
+  // 1 / rho of the fit, its squared radius over 19, is between these
   EXPECT_LT(distance_beside(0.05), 0.25);
   EXPECT_GT(distance_beside(0.1), 0.29);
 }
 
+// Noise makes the ball of a fit wide, and one over a gap between two feet has points on all sides.
 TEST(Surface_sample, does_not_stay_in_a_gap_between_noisy_points)
 {
   const double sigma = 0.02, half_gap = 3. * sigma;

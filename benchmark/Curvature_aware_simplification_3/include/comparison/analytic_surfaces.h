@@ -248,13 +248,13 @@ inline Analytic_surface tree()
 }
 
 // Of a surface with that signed distance, the first point on a ray, by steps as long as the
-// distance, or none within `far`
+// distance, or none within `farthest`
 template <typename SignedDistance>
-std::optional<Point> first_point_on_ray(const Point& start, const Vector& direction, double far,
-                                        const SignedDistance& signed_distance)
+std::optional<Point> first_point_on_ray(const Point& start, const Vector& direction,
+                                        double farthest, const SignedDistance& signed_distance)
 {
   constexpr double close_enough = 1e-10;
-  for (double t = 0.; t < far;)
+  for (double t = 0.; t < farthest;)
   {
     const Point p = start + t * direction;
     const double distance = signed_distance(p);
@@ -271,7 +271,7 @@ std::optional<Point> first_point_on_ray(const Point& start, const Vector& direct
 inline Analytic_surface street()
 {
   const Point scanner(0., 0., 1.7);
-  constexpr double far = 25., between_rings = CGAL_PI / 360.;
+  constexpr double farthest = 25., between_rings = CGAL_PI / 360.;
   std::vector<Tube> tubes;
   for (int i = 0; i < 30; ++i)
   {
@@ -296,7 +296,7 @@ inline Analytic_surface street()
       const double around = std::atan2(direction.y(), direction.x());
       const Vector ray(std::cos(up) * std::cos(around), std::cos(up) * std::sin(around),
                        std::sin(up));
-      if (const auto p = first_point_on_ray(scanner, ray, far, signed_distance))
+      if (const auto p = first_point_on_ray(scanner, ray, farthest, signed_distance))
         return *p;
     }
   };

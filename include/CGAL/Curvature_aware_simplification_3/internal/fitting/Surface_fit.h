@@ -19,7 +19,7 @@ namespace CGAL {
 namespace Curvature_aware_simplification_3 {
 namespace internal {
 
-// of points that are as far from others as it can be: none are
+// With that, no points are sparse.
 inline constexpr double infinite_inverse_density = std::numeric_limits<double>::infinity();
 
 // How a local surface is fitted to the input at a place

@@ -95,8 +95,7 @@ void set_extent(const Matrix& matrix, double unit, Local_surface& surface)
 
 // The surface with the least squared heights of the weighted neighbors, in the frame of `surface`:
 // a plane with n = 3 coefficients, a quadric with 6. Its `error` is what noise of standard
-// deviation `noise` makes of c0.
-// Returns false if it fails.
+// deviation `noise` makes of c0. Returns false if it fails.
 template <int n>
 bool fit_coefficients(const Neighborhood& neighborhood, double noise, Local_surface& surface)
 {

@@ -86,8 +86,8 @@ inline double needed_share_of_support(bool are_outliers_likely)
 }
 
 // Unmarks those of the far ones that have enough support of flat and sparse points, which are among
-// other such points. They support others in the next
-// round. O(n), and O(k + log n) for each point that supports.
+// other such points. They support others in the next round. O(n), and O(k + log n) for each point
+// that supports.
 template <typename ConcurrencyTag>
 void unmark_sparse_surfaces(const Marked_points& points, double needed_share,
                             const std::vector<std::size_t>& far_ones)
