@@ -133,6 +133,15 @@ inline Cloud cloud_of(const std::vector<Point>& points, double relative_error = 
   return make_cloud<Tag>(points, relative_error, Progress(no_callback));
 }
 
+// These points, in this order
+inline Searchable_points searchable(const std::vector<Point>& points)
+{
+  Searchable_points result;
+  result.points = points;
+  result.rebuild_search<Tag>();
+  return result;
+}
+
 inline Shared_features shared_features_of(const Searchable_points& cloud, std::size_t k = 16)
 {
   return compute_shared_features<Tag, CGAL::Default_diagonalize_traits<double, 3>>(

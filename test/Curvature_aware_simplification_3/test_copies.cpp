@@ -49,8 +49,7 @@ std::vector<Point> lattice(int n)
 double distance_of_copies_in(const std::vector<Point>& points)
 {
   const Cloud cloud = cloud_of(points);
-  const Neighbor_search& search = *cloud.search;
-  return cloud.frame.length_from_frame(distance_of_copies<Tag>(cloud.points, search, 64));
+  return cloud.frame.length_from_frame(distance_of_copies<Tag>(cloud, 64));
 }
 
 std::vector<Point> merged(const std::vector<Point>& points, std::size_t number_of_samples)
@@ -208,13 +207,12 @@ TEST(Copies, are_not_looked_for_among_all_points_of_a_dense_place)
       with_noise(std::vector<Point>(27000, Point(20., 20., 100.)), 1e-4, 14);
   points.insert(points.end(), returns.begin(), returns.end());
   const Cloud cloud = cloud_of(points);
-  const Neighbor_search& search = *cloud.search;
-  const Copies_of_places copies = find_copies<Tag>(cloud.points, search, 10000);
+  const Copies_of_places copies = find_copies<Tag>(cloud, 10000);
   ASSERT_GT(copies.distance, 0.);
   EXPECT_EQ(copies.most, 64u);
   std::size_t left = 0;
   for (std::size_t i = 0; i < cloud.size(); ++i)
-    left += merged_point(i, cloud.points, search, copies).is_left ? 1 : 0;
+    left += merged_point(i, cloud, copies).is_left ? 1 : 0;
   EXPECT_NEAR(static_cast<double>(left), 27000. + 1600., 50.);
 }
 

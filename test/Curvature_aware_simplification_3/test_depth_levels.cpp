@@ -21,9 +21,9 @@ using namespace inputs;
 
 Depth_levels depth_levels_of(const std::vector<Point>& points)
 {
-  const Neighbor_search search(points, Tag());
-  const std::vector<Facet> facets = some_facets<Tag>(points, search);
-  return find_depth_levels<Tag>(points, search, facets, thickness_of_flat_facets(facets, 0.));
+  const Searchable_points cloud = searchable(points);
+  const std::vector<Facet> facets = some_facets<Tag>(cloud);
+  return find_depth_levels<Tag>(cloud, facets, thickness_of_flat_facets(facets, 0.));
 }
 
 TEST(Depth_levels, have_heights_and_gaps)

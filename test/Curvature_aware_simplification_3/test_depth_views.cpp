@@ -23,9 +23,9 @@ using namespace inputs;
 
 std::vector<Depth_view> depth_views_of(const std::vector<Point>& points)
 {
-  const Neighbor_search search(points, Tag());
-  const std::vector<Facet> facets = some_facets<Tag>(points, search);
-  return find_depth_views<Tag>(points, search, facets, thickness_of_flat_facets(facets, 0.), 0.);
+  const Searchable_points cloud = searchable(points);
+  const std::vector<Facet> facets = some_facets<Tag>(cloud);
+  return find_depth_views<Tag>(cloud, facets, thickness_of_flat_facets(facets, 0.));
 }
 
 TEST(Facets, have_common_normals)

@@ -29,8 +29,8 @@ using namespace inputs;
 Noise_levels noise_at_places(const Cloud& cloud,
                              const Adaptive_settings& settings = default_settings)
 {
-  return measure_noise<Tag>(cloud.points, *cloud.search,
-                            many_probes(cloud.size(), settings.most_noise_probes), false, settings);
+  return measure_noise<Tag>(cloud, many_probes(cloud.size(), settings.most_noise_probes), false,
+                            settings);
 }
 
 double noise_of(const std::vector<Point>& points)
@@ -216,13 +216,13 @@ TEST(Noise_probes, are_more_where_there_are_more_points)
   EXPECT_EQ(many_probes(100, 4096), 512u);
   EXPECT_EQ(many_probes(16 * 600, 4096), 600u);
   EXPECT_EQ(many_probes(std::size_t(1) << 40, 4096), 4096u);
-  const std::vector<Point> points = surfaces::square(1000, 8);
-  const Noise_probes probes = noise_probes<Tag>(points, 160);
+  const Searchable_points cloud = searchable(surfaces::square(1000, 8));
+  const Noise_probes probes = noise_probes<Tag>(cloud, 160);
   EXPECT_EQ(probes.points.size(), 160u);
   EXPECT_EQ(probes.of_range.size(), 20u);
   for (const std::vector<std::size_t>& of_range : probes.of_range)
     EXPECT_EQ(of_range.size(), 64u);
-  EXPECT_EQ(noise_probes<Tag>(points, 4096).points.size(), 1000u);
+  EXPECT_EQ(noise_probes<Tag>(cloud, 4096).points.size(), 1000u);
 }
 
 // The noise of a laser scanner is along its rays: none where these touch the surface. Medians of an
@@ -514,11 +514,10 @@ TEST(Columns_of_points, rise_from_the_surface)
         points.push_back(place + 0.1 * f * direction + Vector(error(), error(), error()));
     }
     const Cloud cloud = cloud_of(points);
-    const Neighbor_search& search = *cloud.search;
-    const Noise_probes probes = noise_probes<Tag>(cloud.points, few_probes);
+    const Noise_probes probes = noise_probes<Tag>(cloud, few_probes);
     const std::vector<std::size_t> ranges = all_ranges(probes);
-    const std::vector<Vector> axes = parallel_axes<Tag>(probes, ranges, search);
-    const std::vector<std::uint8_t> found = find_columns<Tag>(probes, ranges, axes, search);
+    const std::vector<Vector> axes = parallel_axes<Tag>(probes, ranges);
+    const std::vector<std::uint8_t> found = find_columns<Tag>(probes, ranges, axes);
     return static_cast<double>(std::count(found.begin(), found.end(), 1)) /
            static_cast<double>(found.size());
   };
@@ -534,7 +533,7 @@ TEST(Columns_of_points, rise_from_the_surface)
 TEST(Noise_probes, are_around_the_middle_of_their_range)
 {
   const Cloud cloud = cloud_of(surfaces::sphere(20000, 171));
-  const Noise_probes probes = noise_probes<Tag>(cloud.points, 1000);
+  const Noise_probes probes = noise_probes<Tag>(cloud, 1000);
   ASSERT_EQ(probes.points.size(), 1000u);
   ASSERT_EQ(probes.of_range.size(), 125u);
   EXPECT_EQ(probes.range_around(0), 0u);

@@ -153,7 +153,6 @@ TEST(Smoothing_radius, is_small_where_the_shape_has_details)
   const std::vector<Point> clean = half_rippled_sheet(120000);
   const Cloud cloud = cloud_of(with_noise(clean, sigma, 91), 0.);
   const double scale = cloud.frame.length_to_frame(sigma);
-  const Neighbor_search& search = *cloud.search;
   const auto radii = [&](double spacing_of_samples, bool smooth_by_shape) {
     Noise_levels noise{std::vector<Noise>(64, Noise{scale, scale}), cloud.size()};
     noise.make_visible_above(0.);
@@ -161,8 +160,8 @@ TEST(Smoothing_radius, is_small_where_the_shape_has_details)
     noise.of_range[62].is_visible = false;
     Adaptive_settings settings;
     settings.smooth_by_shape = smooth_by_shape;
-    set_smoothing_radii<Tag>(noise, smoothing_probes<Tag>(cloud.points, settings), search,
-                             spacing_of_samples, settings);
+    set_smoothing_radii<Tag>(noise, smoothing_probes<Tag>(cloud, settings), spacing_of_samples,
+                             settings);
     return noise;
   };
   // The sums are over an eighth of the points, which are in a disk with a radius of 0.2.
@@ -226,8 +225,7 @@ TEST(Smoothing_radius, keeps_details)
     noise.make_visible_above(0.);
     Adaptive_settings settings;
     settings.smooth_by_shape = smooth_by_shape;
-    set_smoothing_radii<Tag>(noise, smoothing_probes<Tag>(cloud.points, settings), search,
-                             far_samples, settings);
+    set_smoothing_radii<Tag>(noise, smoothing_probes<Tag>(cloud, settings), far_samples, settings);
     std::vector<Point> smoothed = cloud.points;
     Uninitialized_vector<double> inverse_density(cloud.size(), 1. / (2. * CGAL_PI * 120000.));
     std::vector<std::uint8_t> is_bent(cloud.size(), 0);
@@ -260,8 +258,7 @@ TEST(Thin_parts, are_smoothed_less)
     Noise_levels noise{std::vector<Noise>(8, Noise{scale, scale, radius_of_columns}), cloud.size()};
     for (Noise& here : noise.of_range)
       here.is_visible = is_visible;
-    spare_thin_parts<Tag>(noise, smoothing_probes<Tag>(cloud.points, default_settings),
-                          *cloud.search, default_settings);
+    spare_thin_parts<Tag>(noise, smoothing_probes<Tag>(cloud, default_settings), default_settings);
     for (const Noise& here : noise.of_range)
     {
       EXPECT_EQ(here.independent_level, here.level);
@@ -379,12 +376,11 @@ Cloud noisy_square(std::size_t dense, std::size_t sparse)
 TEST(Thinning, leaves_four_neighborhoods_in_balls_of_dense_noise)
 {
   const Cloud cloud = noisy_square(400000, 60000); // 3600 and 550 points in a ball
-  const Neighbor_search& search = *cloud.search;
   const double sigma = cloud.frame.length_to_frame(0.01);
   Noise_levels noise = uniform_noise(sigma, cloud.size());
   const auto parts = [&](double visible_error) {
     noise.make_visible_above(visible_error);
-    return parts_against_noise<Tag>(cloud.points, search, noise, Adaptive_settings());
+    return parts_against_noise<Tag>(cloud, noise, Adaptive_settings());
   };
   const std::vector<double> part = parts(0.);
   const Curve_ranges ranges{part.size(), cloud.size()};

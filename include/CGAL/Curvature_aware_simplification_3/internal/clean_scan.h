@@ -41,32 +41,102 @@ namespace CGAL {
 namespace Curvature_aware_simplification_3 {
 namespace internal {
 
+// Points that are taken for those of a surface, and what is known of them
+struct Surface_points : Searchable_points
+{
+  Features features;
+  double even_density; // of samples that are spread evenly, see even_density()
+  bool had_more_than_a_few_outliers;
+};
+
+// Takes away what would spoil the features: steps of the depth, and copies of places. Returns the
+// levels that each camera rounded depth to.
+template <typename ConcurrencyTag>
+std::vector<Depth_levels>
+restore_places(Searchable_points& cloud, const Frame& frame, std::size_t number_of_samples,
+               const Adaptive_settings& settings, const Progress& progress,
+               Curvature_aware_simplification_report& report)
+{
+  std::vector<Depth_levels> depth_levels;
+  if (settings.undo_rounding)
+    depth_levels = undo_rounding<ConcurrencyTag>(cloud, settings);
+  progress.report(0.8);
+  report.depth_step =
+      frame.length_from_frame(typical_step<ConcurrencyTag>(cloud.points, depth_levels));
+  if (settings.merge_copies)
+    report.number_of_merged_points =
+        merge_copies<ConcurrencyTag>(cloud, number_of_samples, progress.part(0.8, 1.));
+  return depth_levels;
+}
+
+// The features, and the points that they do not show to be outliers
+template <typename ConcurrencyTag, typename DiagonalizeTraits>
+Surface_points without_outliers(Searchable_points cloud, const Parameters& parameters,
+                                const Adaptive_settings& settings, const Progress& progress,
+                                Curvature_aware_simplification_report& report)
+{
+  Stopwatch stopwatch;
+  const std::size_t number_of_samples = parameters.number_of_output_points;
+  const std::size_t places = cloud.size();
+  Shared_features shared = compute_shared_features<ConcurrencyTag, DiagonalizeTraits>(
+      cloud, parameters.number_of_neighbors, progress.part(0., 0.8));
+  report.maximum_surface_variation = largest_surface_variation<ConcurrencyTag>(shared.features);
+  report.features_time = stopwatch.lap();
+
+  std::size_t found = 0;
+  if (settings.find_outliers)
+    found = leave_out_outliers<ConcurrencyTag>(cloud, shared, number_of_samples, settings,
+                                               progress.part(0.8, 1.));
+  progress.report(1.);
+  report.number_of_outliers = places - cloud.size();
+  report.outliers_time = stopwatch.lap();
+  const double density = even_density<ConcurrencyTag>(shared.features.inverse_density,
+                                                      number_of_samples, settings.densest);
+  return {std::move(cloud), std::move(shared.features), density, is_more_than_a_few(found, places)};
+}
+
 // The noise: at few places, and at many where it is visible. Points that are too dense against it
 // are left out before, and the features and the density of even samples are then those of what is
 // left.
 template <typename ConcurrencyTag, typename DiagonalizeTraits>
-Noise_levels noise_and_enough_points(Searchable_points& cloud, Features& features, double& density,
-                                     const std::vector<Depth_levels>& depth_levels,
-                                     const Parameters& parameters,
-                                     const Adaptive_settings& settings, const Progress& progress)
+Noise_levels noise_of_enough_points(Surface_points& points,
+                                    const std::vector<Depth_levels>& depth_levels,
+                                    const Parameters& parameters, const Adaptive_settings& settings,
+                                    const Progress& progress)
 {
   const auto noise_at = [&](std::size_t number_of_places) {
-    return noise_of_scan<ConcurrencyTag>(cloud.points, *cloud.search, depth_levels,
-                                         number_of_places, settings);
+    return noise_of_scan<ConcurrencyTag>(points, depth_levels, number_of_places, settings);
   };
+  const std::size_t number_of_samples = parameters.number_of_output_points;
   Noise_levels noise = noise_at(few_probes);
   if (settings.thin_dense_noise &&
-      thin_dense_noise<ConcurrencyTag>(cloud, noise, depth_levels, visible_error(density),
-                                       parameters.number_of_output_points, settings))
+      thin_dense_noise<ConcurrencyTag>(points, noise, depth_levels,
+                                       visible_error(points.even_density), number_of_samples,
+                                       settings))
   {
-    features = compute_features<ConcurrencyTag, DiagonalizeTraits>(
-        cloud, parameters.number_of_neighbors, progress);
-    density = even_density<ConcurrencyTag>(features.inverse_density,
-                                           parameters.number_of_output_points, settings.densest);
+    points.features = compute_features<ConcurrencyTag, DiagonalizeTraits>(
+        points, parameters.number_of_neighbors, progress);
+    points.even_density = even_density<ConcurrencyTag>(points.features.inverse_density,
+                                                       number_of_samples, settings.densest);
   }
-  const std::size_t many = many_probes(cloud.size(), settings.most_noise_probes);
-  return many > few_probes && noise.is_visible_above(visible_error(density)) ? noise_at(many)
-                                                                             : noise;
+  const std::size_t many = many_probes(points.size(), settings.most_noise_probes);
+  return many > few_probes && noise.is_visible_above(visible_error(points.even_density))
+             ? noise_at(many)
+             : noise;
+}
+
+// Without the features that no later stage needs; at which points there may be an edge is known
+// when these are smoothed.
+inline Scan scan_of(Surface_points points, Noise_levels noise)
+{
+  const double sparse = sparseness_of(points.features.inverse_density).of_outliers;
+  return {static_cast<Searchable_points&&>(points),
+          std::move(points.features.inverse_density),
+          std::move(noise),
+          points.even_density,
+          std::vector<Point>(),
+          sparse,
+          points.had_more_than_a_few_outliers};
 }
 
 // Measures what disturbs the input and takes it away, in this order: steps of the depth, copies,
@@ -80,51 +150,22 @@ Scan clean_scan(Searchable_points cloud, const Frame& frame, const Parameters& p
   const std::size_t number_of_samples = parameters.number_of_output_points;
 
   Stopwatch stopwatch;
-  std::vector<Depth_levels> depth_levels; // of each camera
-  if (settings.undo_rounding)
-    depth_levels = undo_rounding<ConcurrencyTag>(cloud, settings);
-  progress.report(0.08);
-  report.depth_step =
-      frame.length_from_frame(typical_step<ConcurrencyTag>(cloud.points, depth_levels));
-  if (settings.merge_copies)
-    report.number_of_merged_points =
-        merge_copies<ConcurrencyTag>(cloud, number_of_samples, progress.part(0.08, 0.1));
+  const std::vector<Depth_levels> depth_levels = restore_places<ConcurrencyTag>(
+      cloud, frame, number_of_samples, settings, progress.part(0., 0.1), report);
   report.sorting_time += stopwatch.lap();
 
-  const std::size_t places = cloud.size();
-  Shared_features shared = compute_shared_features<ConcurrencyTag, DiagonalizeTraits>(
-      cloud, parameters.number_of_neighbors, progress.part(0.1, 0.6));
-  report.maximum_surface_variation = largest_surface_variation<ConcurrencyTag>(shared.features);
-  report.features_time = stopwatch.lap();
+  Surface_points points = without_outliers<ConcurrencyTag, DiagonalizeTraits>(
+      std::move(cloud), parameters, settings, progress.part(0.1, 0.7), report);
+  stopwatch.lap();
 
-  std::size_t outliers_found = 0;
-  if (settings.find_outliers)
-    outliers_found = leave_out_outliers<ConcurrencyTag>(cloud, shared, number_of_samples, settings,
-                                                        progress.part(0.6, 0.7));
-  progress.report(0.7);
-  report.number_of_outliers = places - cloud.size();
-  report.outliers_time = stopwatch.lap();
-
-  Features features = std::move(shared.features);
-  shared = Shared_features();
-  double density =
-      even_density<ConcurrencyTag>(features.inverse_density, number_of_samples, settings.densest);
-  Noise_levels noise = noise_and_enough_points<ConcurrencyTag, DiagonalizeTraits>(
-      cloud, features, density, depth_levels, parameters, settings, progress.part(0.7, 0.75));
+  Noise_levels noise = noise_of_enough_points<ConcurrencyTag, DiagonalizeTraits>(
+      points, depth_levels, parameters, settings, progress.part(0.7, 0.75));
   report.noise_level = frame.length_from_frame(noise.median());
   noise.widen_to_columns();
-  noise.make_visible_above(visible_error(density));
-  Flags is_bent = bent_points<ConcurrencyTag>(features, noise);
-  const double sparse = sparseness_of(features.inverse_density).of_outliers;
-  const std::size_t k = features.number_of_neighbors;
-  Scan scan{std::move(cloud),
-            std::move(features.inverse_density),
-            std::move(noise),
-            density,
-            std::vector<Point>(), // known when the points are smoothed
-            sparse,
-            is_more_than_a_few(outliers_found, places)};
-  features = Features();
+  noise.make_visible_above(visible_error(points.even_density));
+  Flags is_bent = bent_points<ConcurrencyTag>(points.features, noise);
+  const std::size_t k = points.features.number_of_neighbors;
+  Scan scan = scan_of(std::move(points), std::move(noise));
   progress.report(0.75);
   report.noise_time = stopwatch.lap();
 

@@ -6,9 +6,9 @@
 #ifndef CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_COPIES_COPIES_OF_PLACES_H
 #define CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_COPIES_COPIES_OF_PLACES_H
 
+#include <CGAL/Curvature_aware_simplification_3/internal/input/Searchable_points.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/tools/Computation_kernel.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/tools/Curve_ranges.h>
-#include <CGAL/Curvature_aware_simplification_3/internal/tools/Neighbor_search.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/tools/loops.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/tools/median.h>
 
@@ -29,20 +29,19 @@ namespace internal {
 // many distances are enough, however many are at one point: with half of them, pairs on a curve
 // look like copies by chance.
 template <typename ConcurrencyTag>
-std::vector<std::vector<double>> distances_of_neighbors(const std::vector<Point>& points,
-                                                        const Neighbor_search& search,
+std::vector<std::vector<double>> distances_of_neighbors(const Searchable_points& cloud,
                                                         std::size_t number_of_neighbors)
 {
   constexpr std::size_t enough = 128 * 64;
   std::vector<std::vector<double>> distances(
-      (std::min)(enough / number_of_neighbors, points.size()));
+      (std::min)(enough / number_of_neighbors, cloud.size()));
   for_each_index<ConcurrencyTag>(0, distances.size(), [&](std::size_t probe) {
     std::vector<double>& here = distances[probe];
-    const Point& p = points[middle_of_part(probe, distances.size(), points.size())];
-    search.for_each_nearest(p, number_of_neighbors + 1,
-                            [&](std::size_t, const Point&, double squared_distance) {
-                              here.push_back(std::sqrt(squared_distance));
-                            });
+    const Point& p = cloud.points[middle_of_part(probe, distances.size(), cloud.size())];
+    cloud.search->for_each_nearest(p, number_of_neighbors + 1,
+                                   [&](std::size_t, const Point&, double squared_distance) {
+                                     here.push_back(std::sqrt(squared_distance));
+                                   });
     std::sort(here.begin(), here.end());
     here.erase(here.begin()); // the point itself
   });
@@ -104,13 +103,12 @@ inline double surplus_of_copies(const std::vector<std::vector<double>>& distance
 // The distance within which points are copies of each other, in the middle of the gap by its
 // logarithm, so that copies with large errors are not left alone; 0 if there are no copies
 template <typename ConcurrencyTag>
-double distance_of_copies(const std::vector<Point>& points, const Neighbor_search& search,
-                          std::size_t most_copies)
+double distance_of_copies(const Searchable_points& cloud, std::size_t most_copies)
 {
   constexpr double step = 1.1;
   constexpr std::size_t tenth = 10; // fewer points with copies do little harm
   const std::vector<std::vector<double>> distances =
-      distances_of_neighbors<ConcurrencyTag>(points, search, most_copies);
+      distances_of_neighbors<ConcurrencyTag>(cloud, most_copies);
   std::vector<double> nearest, farthest;
   for (const std::vector<double>& here : distances)
   {
@@ -142,14 +140,13 @@ struct Copies_of_places
 // twice as many as there are points for each sample: no fewer places are left than samples, and
 // places differ. 64 take 0.4 % of the time of a call for Igea, and so does each round.
 template <typename ConcurrencyTag>
-Copies_of_places find_copies(const std::vector<Point>& points, const Neighbor_search& search,
-                             std::size_t number_of_samples)
+Copies_of_places find_copies(const Searchable_points& cloud, std::size_t number_of_samples)
 {
   constexpr std::size_t usual = 64, largest = 256;
-  const std::size_t enough = (std::min)(2 * (points.size() / number_of_samples), largest);
+  const std::size_t enough = (std::min)(2 * (cloud.size() / number_of_samples), largest);
   for (std::size_t most = usual;; most *= 2)
   {
-    const double distance = distance_of_copies<ConcurrencyTag>(points, search, most);
+    const double distance = distance_of_copies<ConcurrencyTag>(cloud, most);
     if (distance > 0. || most >= enough)
       return {distance, most};
   }

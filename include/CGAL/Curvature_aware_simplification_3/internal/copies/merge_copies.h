@@ -39,25 +39,26 @@ struct Merged_point
 // a chain does not become one point. Where a ball holds twice as many points as were looked for -
 // it may reach into the next place - they are no copies but a dense part, and all are left as they
 // are.
-inline Merged_point merged_point(std::size_t i, const std::vector<Point>& points,
-                                 const Neighbor_search& search, const Copies_of_places& copies)
+inline Merged_point merged_point(std::size_t i, const Searchable_points& cloud,
+                                 const Copies_of_places& copies)
 {
   const Counter_based_random ranks(0, 0);
   const std::uint64_t rank = ranks.bits(i);
   bool is_lowest = true;
   std::size_t number = 0;
   Vector sum(0., 0., 0.);
-  search.for_each_within(
-      points[i], copies.distance,
+  const Point& place = cloud.points[i];
+  cloud.search->for_each_within(
+      place, copies.distance,
       [&](std::size_t j, const Point& p, double) {
         is_lowest = is_lowest && rank <= ranks.bits(j);
-        sum = sum + (p - points[i]);
+        sum = sum + (p - place);
         ++number;
       },
       2 * copies.most);
   if (number > 2 * copies.most)
-    return {true, points[i]};
-  return {is_lowest, points[i] + sum / static_cast<double>(number)};
+    return {true, place};
+  return {is_lowest, place + sum / static_cast<double>(number)};
 }
 
 // Leaves one point for all copies of a place, and returns how many points are less. The indices in
@@ -70,20 +71,19 @@ std::size_t merge_copies(Searchable_points& cloud, std::size_t number_of_samples
                          const Progress& progress)
 {
   const std::size_t n = cloud.size();
-  const Copies_of_places copies =
-      find_copies<ConcurrencyTag>(cloud.points, *cloud.search, number_of_samples);
+  const Copies_of_places copies = find_copies<ConcurrencyTag>(cloud, number_of_samples);
   if (!(copies.distance > 0.))
     return 0;
   Flags is_left(n);
   for_each_index<ConcurrencyTag>(n, progress, [&](std::size_t i) {
-    is_left[i] = merged_point(i, cloud.points, *cloud.search, copies).is_left ? 1 : 0;
+    is_left[i] = merged_point(i, cloud, copies).is_left ? 1 : 0;
   });
   const std::vector<std::size_t> left = flagged_indices<ConcurrencyTag>(is_left);
   if (left.size() < (std::max)(number_of_samples, fewest_points_to_fit))
     return 0;
   std::vector<Point> places(left.size()); // few: computed again, instead of kept for all points
   for_each_index<ConcurrencyTag>(0, left.size(), [&](std::size_t i) {
-    places[i] = merged_point(left[i], cloud.points, *cloud.search, copies).point;
+    places[i] = merged_point(left[i], cloud, copies).point;
   });
   cloud.points = std::move(places);
   cloud.rebuild_search<ConcurrencyTag>();

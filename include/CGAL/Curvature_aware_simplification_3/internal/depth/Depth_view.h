@@ -7,8 +7,8 @@
 #define CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_DEPTH_DEPTH_VIEW_H
 
 #include <CGAL/Curvature_aware_simplification_3/internal/depth/Depth_levels.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/input/Searchable_points.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/tools/Flags.h>
-#include <CGAL/Curvature_aware_simplification_3/internal/tools/Neighbor_search.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/tools/index_selection.h>
 
 #include <cstddef>
@@ -21,12 +21,10 @@ namespace Curvature_aware_simplification_3 {
 namespace internal {
 
 // What one of several cameras has seen, each of which has rounded depth along its own axis
-struct Depth_view
+struct Depth_view : Searchable_points
 {
   Depth_levels levels;
   std::vector<std::size_t> indices; // of its points, among all
-  std::vector<Point> points;
-  std::unique_ptr<Neighbor_search> search; // among these
 };
 
 // Faces of a part may have as many, but these do not cross each other. With 10, as for one camera,

@@ -9,6 +9,7 @@
 #include <CGAL/Curvature_aware_simplification_3/internal/fitting/Neighborhood.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/fitting/are_on_line.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/fitting/principal_axes.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/input/Searchable_points.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/tools/Curve_ranges.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/tools/Neighbor_search.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/tools/loops.h>
@@ -58,12 +59,13 @@ inline Facet facet_around(const Neighbor_search& search, const Point& place)
 
 // The facets of points evenly along the Hilbert curve
 template <typename ConcurrencyTag>
-std::vector<Facet> some_facets(const std::vector<Point>& points, const Neighbor_search& search)
+std::vector<Facet> some_facets(const Searchable_points& cloud)
 {
   constexpr std::size_t most = 256; // a sixteenth of them is one of the points to 1.5 %
-  std::vector<Facet> facets((std::min)(most, points.size()));
+  std::vector<Facet> facets((std::min)(most, cloud.size()));
   for_each_index<ConcurrencyTag>(0, facets.size(), [&](std::size_t i) {
-    facets[i] = facet_around(search, points[middle_of_part(i, facets.size(), points.size())]);
+    facets[i] =
+        facet_around(*cloud.search, cloud.points[middle_of_part(i, facets.size(), cloud.size())]);
   });
   return facets;
 }

@@ -9,7 +9,7 @@
 #include <CGAL/Curvature_aware_simplification_3/internal/depth/Depth_levels.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/depth/Facet.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/depth/are_steps.h>
-#include <CGAL/Curvature_aware_simplification_3/internal/tools/Neighbor_search.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/input/Searchable_points.h>
 
 #include <vector>
 
@@ -20,16 +20,17 @@ namespace internal {
 // The levels that the depth of all points was rounded to, or none. With that, small neighborhoods
 // are exactly flat and face the sensor, while the surface, as larger ones show it, does not.
 template <typename ConcurrencyTag>
-Depth_levels find_depth_levels(const std::vector<Point>& points, const Neighbor_search& search,
-                               const std::vector<Facet>& facets, double tolerance)
+Depth_levels find_depth_levels(const Searchable_points& cloud, const std::vector<Facet>& facets,
+                               double tolerance)
 {
   // Where steps are as large as the spacing, few are wider than a facet.
   const std::vector<Vector> normals = common_normals(facets, tolerance, facets.size() / 16 + 1);
   if (normals.empty())
     return Depth_levels();
-  const Depth_levels levels = levels_along<ConcurrencyTag>(normals.front(), tolerance, points);
-  return are_many(levels) && are_most(levels.number_of_points, points.size()) &&
-                 are_steps<ConcurrencyTag>(levels, facets, search)
+  const Depth_levels levels =
+      levels_along<ConcurrencyTag>(normals.front(), tolerance, cloud.points);
+  return are_many(levels) && are_most(levels.number_of_points, cloud.size()) &&
+                 are_steps<ConcurrencyTag>(levels, facets, *cloud.search)
              ? levels
              : Depth_levels();
 }

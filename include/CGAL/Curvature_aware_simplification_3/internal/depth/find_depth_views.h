@@ -13,8 +13,8 @@
 #include <CGAL/Curvature_aware_simplification_3/internal/depth/are_steps.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/depth/levels_of_cameras.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/fitting/Surface_fit.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/input/Searchable_points.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/tools/Flags.h>
-#include <CGAL/Curvature_aware_simplification_3/internal/tools/Neighbor_search.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/tools/index_selection.h>
 
 #include <cstddef>
@@ -29,17 +29,16 @@ namespace internal {
 // The views of several cameras that most of the points are in; none if their levels are not steps
 // of a rounded depth
 template <typename ConcurrencyTag>
-std::vector<Depth_view>
-find_depth_views(const std::vector<Point>& points, const Neighbor_search& search,
-                 const std::vector<Facet>& facets, double tolerance, double coordinate_error)
+std::vector<Depth_view> find_depth_views(const Searchable_points& cloud,
+                                         const std::vector<Facet>& facets, double tolerance)
 {
   std::vector<Depth_view> views;
-  std::vector<Depth_levels> levels =
-      levels_of_cameras<ConcurrencyTag>(points, search, facets, tolerance);
+  std::vector<Depth_levels> levels = levels_of_cameras<ConcurrencyTag>(cloud, facets, tolerance);
   if (levels.size() < 2)
     return views;
-  add_steep_levels<ConcurrencyTag>(levels, points, tolerance_of_rounding(coordinate_error));
-  const Flags view_of_point = views_of_points<ConcurrencyTag>(points, levels);
+  add_steep_levels<ConcurrencyTag>(levels, cloud.points,
+                                   tolerance_of_rounding(cloud.coordinate_error));
+  const Flags view_of_point = views_of_points<ConcurrencyTag>(cloud.points, levels);
 
   std::size_t in_views = 0;
   Crossings crossings;
@@ -48,18 +47,18 @@ find_depth_views(const std::vector<Point>& points, const Neighbor_search& search
     Depth_view seen;
     seen.levels = levels[view];
     seen.indices = indices_of<ConcurrencyTag>(view, view_of_point);
-    seen.points = elements_at<ConcurrencyTag>(seen.indices, points);
+    seen.points = elements_at<ConcurrencyTag>(seen.indices, cloud.points);
     if (seen.points.size() < fewest_points_to_fit)
       continue;
-    seen.search = std::make_unique<Neighbor_search>(seen.points, ConcurrencyTag());
-    const std::vector<Facet> of_view = some_facets<ConcurrencyTag>(seen.points, *seen.search);
+    seen.rebuild_search<ConcurrencyTag>();
+    const std::vector<Facet> of_view = some_facets<ConcurrencyTag>(seen);
     if (!are_steps<ConcurrencyTag>(seen.levels, of_view, *seen.search))
       continue;
-    crossings += crossings_of<ConcurrencyTag>(view, of_view, levels, view_of_point, search);
+    crossings += crossings_of<ConcurrencyTag>(view, of_view, levels, view_of_point, *cloud.search);
     in_views += seen.points.size();
     views.push_back(std::move(seen));
   }
-  if (views.size() < 2 || !are_most(in_views, points.size()) || !crossings.are_of_cameras())
+  if (views.size() < 2 || !are_most(in_views, cloud.size()) || !crossings.are_of_cameras())
     views.clear();
   return views;
 }

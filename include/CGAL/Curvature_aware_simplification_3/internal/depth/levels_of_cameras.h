@@ -11,8 +11,8 @@
 #include <CGAL/Curvature_aware_simplification_3/internal/depth/Facet.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/depth/directions_of_cameras.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/fitting/principal_axes.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/input/Searchable_points.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/tools/Flags.h>
-#include <CGAL/Curvature_aware_simplification_3/internal/tools/Neighbor_search.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/tools/index_selection.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/tools/loops.h>
 
@@ -34,12 +34,12 @@ namespace internal {
 
 // Of each point, the direction that the facet around it faces, if it is flat. O(log n) for each
 template <typename ConcurrencyTag>
-Flags directions_of_facets(const std::vector<Point>& points, const Neighbor_search& search,
-                           const std::vector<Vector>& directions, double tolerance)
+Flags directions_of_facets(const Searchable_points& cloud, const std::vector<Vector>& directions,
+                           double tolerance)
 {
-  Flags result(points.size(), in_no_view);
-  for_each_index<ConcurrencyTag>(0, points.size(), [&](std::size_t i) {
-    const Facet facet = facet_around(search, points[i]);
+  Flags result(cloud.size(), in_no_view);
+  for_each_index<ConcurrencyTag>(0, cloud.size(), [&](std::size_t i) {
+    const Facet facet = facet_around(*cloud.search, cloud.points[i]);
     for (std::size_t d = 0; d < directions.size() && is_flat(facet, tolerance); ++d)
       if (has_normal(facet, directions[d], tolerance))
         result[i] = static_cast<std::uint8_t>(d);
@@ -49,17 +49,16 @@ Flags directions_of_facets(const std::vector<Point>& points, const Neighbor_sear
 
 // The levels along some directions, of the points whose facets face these
 template <typename ConcurrencyTag>
-std::vector<Depth_levels> levels_of_facets(const std::vector<Point>& points,
-                                           const Neighbor_search& search,
+std::vector<Depth_levels> levels_of_facets(const Searchable_points& cloud,
                                            const std::vector<Vector>& directions, double tolerance)
 {
   std::vector<Depth_levels> result;
-  const Flags faced = directions_of_facets<ConcurrencyTag>(points, search, directions, tolerance);
+  const Flags faced = directions_of_facets<ConcurrencyTag>(cloud, directions, tolerance);
   for (std::size_t d = 0; d < directions.size(); ++d)
   {
     const Depth_levels levels = levels_along<ConcurrencyTag>(
         directions[d], tolerance,
-        elements_at<ConcurrencyTag>(indices_of<ConcurrencyTag>(d, faced), points));
+        elements_at<ConcurrencyTag>(indices_of<ConcurrencyTag>(d, faced), cloud.points));
     if (levels.heights.size() >= fewest_levels_of_view)
       result.push_back(levels);
   }
@@ -113,29 +112,28 @@ inline void add_camera(std::vector<Depth_levels>& cameras, const Depth_levels& m
 // The levels of all cameras: first of those of which parts are seen by few others. Without the
 // points on these levels, others show.
 template <typename ConcurrencyTag>
-std::vector<Depth_levels> levels_of_cameras(const std::vector<Point>& points,
-                                            const Neighbor_search& search,
+std::vector<Depth_levels> levels_of_cameras(const Searchable_points& cloud,
                                             const std::vector<Facet>& facets, double tolerance)
 {
   constexpr std::size_t most = 64; // more than there will be, and indices of views are bytes
-  const std::vector<Vector> directions = directions_of_cameras(facets, tolerance, search);
+  const std::vector<Vector> directions = directions_of_cameras(facets, tolerance, *cloud.search);
   if (directions.size() < 2) // one is found by the heights of all points
     return {};
-  std::vector<Depth_levels> result =
-      levels_of_facets<ConcurrencyTag>(points, search, directions, tolerance);
-  for (std::size_t left = points.size(); !result.empty() && result.size() < most;)
+  std::vector<Depth_levels> result = levels_of_facets<ConcurrencyTag>(cloud, directions, tolerance);
+  for (std::size_t left = cloud.size(); !result.empty() && result.size() < most;)
   {
-    const std::vector<Point> rest = elements_at<ConcurrencyTag>(
-        indices_of<ConcurrencyTag>(in_no_view, views_of_points<ConcurrencyTag>(points, result)),
-        points);
-    if (are_most(points.size() - rest.size(), points.size()) || rest.size() >= left)
+    Searchable_points rest;
+    rest.points = elements_at<ConcurrencyTag>(
+        indices_of<ConcurrencyTag>(in_no_view,
+                                   views_of_points<ConcurrencyTag>(cloud.points, result)),
+        cloud.points);
+    if (are_most(cloud.size() - rest.size(), cloud.size()) || rest.size() >= left)
       break;
     left = rest.size();
-    const Neighbor_search search_rest(rest, ConcurrencyTag());
-    const std::vector<Vector> more = directions_of_cameras(
-        some_facets<ConcurrencyTag>(rest, search_rest), tolerance, search_rest);
-    for (const Depth_levels& levels :
-         levels_of_facets<ConcurrencyTag>(rest, search_rest, more, tolerance))
+    rest.rebuild_search<ConcurrencyTag>();
+    const std::vector<Vector> more =
+        directions_of_cameras(some_facets<ConcurrencyTag>(rest), tolerance, *rest.search);
+    for (const Depth_levels& levels : levels_of_facets<ConcurrencyTag>(rest, more, tolerance))
       add_camera(result, levels);
   }
   return result;

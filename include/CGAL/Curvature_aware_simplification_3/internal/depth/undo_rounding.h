@@ -11,6 +11,7 @@
 #include <CGAL/Curvature_aware_simplification_3/internal/depth/find_depth_views.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/input/Searchable_points.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/parameters/Adaptive_settings.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/tools/Neighbor_search.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/tools/loops.h>
 
 #include <algorithm>
@@ -70,11 +71,11 @@ inline double rounded_away(const Point& p, const Depth_levels& levels,
 // Moves points whose depth was rounded to steps to where they were before, as far as the borders of
 // the steps tell. The search has copies of the points, which stay where they are.
 template <typename ConcurrencyTag>
-void move_between_levels(std::vector<Point>& points, const Depth_levels& levels,
-                         const Neighbor_search& search)
+void move_between_levels(Searchable_points& seen, const Depth_levels& levels)
 {
-  for_each_index<ConcurrencyTag>(0, points.size(), [&](std::size_t i) {
-    points[i] = points[i] + rounded_away(points[i], levels, search) * levels.direction;
+  for_each_index<ConcurrencyTag>(0, seen.size(), [&](std::size_t i) {
+    Point& p = seen.points[i];
+    p = p + rounded_away(p, levels, *seen.search) * levels.direction;
   });
 }
 
@@ -83,16 +84,15 @@ void move_between_levels(std::vector<Point>& points, const Depth_levels& levels,
 template <typename ConcurrencyTag>
 std::vector<Depth_levels> undo_rounding(Searchable_points& cloud, const Adaptive_settings& settings)
 {
-  const std::vector<Facet> facets = some_facets<ConcurrencyTag>(cloud.points, *cloud.search);
+  const std::vector<Facet> facets = some_facets<ConcurrencyTag>(cloud);
   const double tolerance = thickness_of_flat_facets(facets, cloud.coordinate_error);
   std::vector<Depth_levels> result;
   std::vector<Depth_view> views;
   if (settings.tell_cameras)
-    views = find_depth_views<ConcurrencyTag>(cloud.points, *cloud.search, facets, tolerance,
-                                             cloud.coordinate_error);
+    views = find_depth_views<ConcurrencyTag>(cloud, facets, tolerance);
   for (Depth_view& view : views)
   {
-    move_between_levels<ConcurrencyTag>(view.points, view.levels, *view.search);
+    move_between_levels<ConcurrencyTag>(view, view.levels);
     for_each_index<ConcurrencyTag>(0, view.points.size(), [&](std::size_t i) {
       cloud.points[view.indices[i]] = view.points[i];
     });
@@ -100,11 +100,10 @@ std::vector<Depth_levels> undo_rounding(Searchable_points& cloud, const Adaptive
   }
   if (result.empty())
   {
-    const Depth_levels levels =
-        find_depth_levels<ConcurrencyTag>(cloud.points, *cloud.search, facets, tolerance);
+    const Depth_levels levels = find_depth_levels<ConcurrencyTag>(cloud, facets, tolerance);
     if (levels.heights.empty())
       return result;
-    move_between_levels<ConcurrencyTag>(cloud.points, levels, *cloud.search);
+    move_between_levels<ConcurrencyTag>(cloud, levels);
     result.push_back(levels);
   }
   cloud.rebuild_search<ConcurrencyTag>();

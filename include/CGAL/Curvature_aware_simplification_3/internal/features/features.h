@@ -8,6 +8,7 @@
 
 #include <CGAL/Curvature_aware_simplification_3/internal/fitting/Covariance_sums.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/input/Searchable_points.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/tools/Neighbor_search.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/tools/Progress.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/tools/Uninitialized_vector.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/tools/loops.h>
@@ -127,14 +128,15 @@ Features compute_features(const Searchable_points& cloud, std::size_t number_of_
 
 // 1 / rho alone. O(n (log n + k))
 template <typename ConcurrencyTag>
-Uninitialized_vector<double>
-inverse_densities(const std::vector<Point>& points, const Neighbor_search& search,
-                  std::size_t number_of_neighbors, const Progress& progress)
+Uninitialized_vector<double> inverse_densities(const Searchable_points& cloud,
+                                               std::size_t number_of_neighbors,
+                                               const Progress& progress)
 {
-  const std::size_t size = neighborhood_size(number_of_neighbors, points.size());
-  Uninitialized_vector<double> result(points.size());
-  for_each_index<ConcurrencyTag>(points.size(), progress, [&](std::size_t i) {
-    result[i] = search.squared_distance_of_nearest(points[i], size) / static_cast<double>(size - 1);
+  const std::size_t size = neighborhood_size(number_of_neighbors, cloud.size());
+  Uninitialized_vector<double> result(cloud.size());
+  for_each_index<ConcurrencyTag>(cloud.size(), progress, [&](std::size_t i) {
+    result[i] = cloud.search->squared_distance_of_nearest(cloud.points[i], size) /
+                static_cast<double>(size - 1);
   });
   return result;
 }

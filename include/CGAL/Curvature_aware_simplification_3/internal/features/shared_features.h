@@ -18,6 +18,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -38,90 +39,135 @@ struct Shared_features
   Uninitialized_vector<std::uint32_t> votes;
 };
 
-// O(n (log n + k)), but k-nearest-neighbor queries for a quarter of the points only, where these
-// are dense against shape and noise
-template <typename ConcurrencyTag, typename DiagonalizeTraits>
-Shared_features compute_shared_features(const Searchable_points& cloud,
-                                        std::size_t number_of_neighbors, const Progress& progress)
+// Computes them, for one block of points after the other
+template <typename DiagonalizeTraits>
+class Feature_sharing
 {
-  // Of the squared radius. Points that are that near are in half of the neighborhood, and so get
-  // the votes of a part of it at least. And an outlier over a surface that has such neighbors there
-  // is so near that its 1/rho is less than twice as large as theirs.
-  constexpr double inner_half = 0.5;
+public:
   // Points share within blocks of so many along the Hilbert curve only, one after the other, so
   // that the result does not depend on threads. Few neighborhoods meet the border of such a block.
-  constexpr std::size_t sharing_block = 1024;
-  constexpr std::uint8_t most = (std::numeric_limits<std::uint8_t>::max)();
+  static constexpr std::size_t block = 1024;
 
+  template <typename ConcurrencyTag>
+  Feature_sharing(const Searchable_points& cloud, std::size_t number_of_neighbors,
+                  const ConcurrencyTag&)
+    : m_cloud(cloud),
+      m_k(neighborhood_size(number_of_neighbors, cloud.size()) - 1),
+      m_features{Uninitialized_vector<double>(cloud.size()),
+                 Uninitialized_vector<double>(cloud.size()), m_k},
+      m_represented(cloud.size(), 0),
+      m_is_done(cloud.size(), 0),
+      m_votes(cloud.size())
+  {
+    for_each_index<ConcurrencyTag>(
+        0, cloud.size(), [&](std::size_t i) { m_votes[i].store(0, std::memory_order_relaxed); });
+  }
+
+  // Of the points of a block: the features of those that have none yet, which other ones share
+  void compute(std::size_t begin, std::size_t end)
+  {
+    std::vector<Neighbor> neighbors;
+    for (std::size_t i = begin; i < end; ++i)
+    {
+      if (m_is_done[i] != 0)
+        continue;
+      neighbors.clear();
+      compute_own(i, [&](std::size_t j, double squared_distance) {
+        neighbors.push_back({j, squared_distance});
+      });
+      m_is_done[i] = 1;
+      m_represented[i] = 1;
+      if (m_features.surface_variation[i] <= largest_variation_of_flat_points)
+        share(i, neighbors, begin, end);
+      for (const Neighbor& neighbor : neighbors)
+        m_votes[neighbor.index].fetch_add(m_represented[i], std::memory_order_relaxed);
+    }
+  }
+
+  // When all blocks are done. Far from all others, an outlier and its neighbors may happen to be
+  // flat: there, each speaks for itself.
+  template <typename ConcurrencyTag>
+  Shared_features take(const ConcurrencyTag&)
+  {
+    const std::size_t n = m_cloud.size();
+    const double sparse = sparseness_of(m_features.inverse_density).of_outliers;
+    Uninitialized_vector<std::uint32_t> votes(n);
+    for_each_index<ConcurrencyTag>(0, n, [&](std::size_t i) {
+      if (m_represented[i] == 0 && m_features.inverse_density[i] > sparse)
+        compute_own(i, No_visit());
+      // Not its own: where more points than have a vote are at one place, it may have none.
+      votes[i] = (std::max)(m_votes[i].load(std::memory_order_relaxed), std::uint32_t(1)) - 1;
+    });
+    return {std::move(m_features), std::move(m_represented), std::move(votes)};
+  }
+
+private:
   struct Neighbor
   {
     std::size_t index;
     double squared_distance;
   };
 
-  const std::size_t n = cloud.size();
-  const std::size_t size = neighborhood_size(number_of_neighbors, n);
-  Shared_features shared{
-      {Uninitialized_vector<double>(n), Uninitialized_vector<double>(n), size - 1},
-      std::vector<std::uint8_t>(n, 0),
-      Uninitialized_vector<std::uint32_t>(n)};
-  std::vector<std::uint8_t>& represented = shared.represented;
-  const auto assign = [&](std::size_t i, const Local_features& local) {
-    shared.features.surface_variation[i] = local.surface_variation;
-    shared.features.inverse_density[i] = local.inverse_density;
-  };
+  template <typename Visit>
+  void compute_own(std::size_t i, const Visit& visit)
+  {
+    assign(i, local_features<DiagonalizeTraits>(*m_cloud.search, m_cloud.points[i], m_k + 1,
+                                                m_cloud.coordinate_error, visit));
+  }
 
-  Flags is_done(n, 0);
+  void assign(std::size_t i, const Local_features& local)
+  {
+    m_features.surface_variation[i] = local.surface_variation;
+    m_features.inverse_density[i] = local.inverse_density;
+  }
+
+  // The features of point i, with those of its block in the inner half of its neighborhood that
+  // have none
+  void share(std::size_t i, const std::vector<Neighbor>& neighbors, std::size_t begin,
+             std::size_t end)
+  {
+    // Of the squared radius. Points that are that near are in half of the neighborhood, and so get
+    // the votes of a part of it at least. And an outlier over a surface that has such neighbors
+    // there is so near that its 1/rho is less than twice as large as theirs.
+    constexpr double inner_half = 0.5;
+    constexpr std::uint8_t most = (std::numeric_limits<std::uint8_t>::max)();
+    const Local_features local{m_features.surface_variation[i], m_features.inverse_density[i]};
+    const double limit = inner_half * local.inverse_density * static_cast<double>(m_k);
+    for (const Neighbor& neighbor : neighbors)
+    {
+      const std::size_t j = neighbor.index;
+      if (neighbor.squared_distance <= limit && j >= begin && j < end && m_is_done[j] == 0 &&
+          m_represented[i] < most)
+      {
+        assign(j, local);
+        m_is_done[j] = 1;
+        ++m_represented[i];
+      }
+    }
+  }
+
+  const Searchable_points& m_cloud;
+  std::size_t m_k;
+  Features m_features;
+  std::vector<std::uint8_t> m_represented;
+  Flags m_is_done;
   // sums of integers: the order does not matter
-  Uninitialized_vector<std::atomic<std::uint32_t>> votes(n);
-  for_each_index<ConcurrencyTag>(
-      0, n, [&](std::size_t i) { votes[i].store(0, std::memory_order_relaxed); });
-  for_each_index<ConcurrencyTag>(
-      (n + sharing_block - 1) / sharing_block, progress, [&](std::size_t block) {
-        std::vector<Neighbor> neighbors;
-        const std::size_t begin = block * sharing_block, end = (std::min)(n, begin + sharing_block);
-        for (std::size_t i = begin; i < end; ++i)
-        {
-          if (is_done[i] != 0)
-            continue;
-          neighbors.clear();
-          const Local_features local = local_features<DiagonalizeTraits>(
-              *cloud.search, cloud.points[i], size, cloud.coordinate_error,
-              [&](std::size_t j, double squared_distance) {
-                neighbors.push_back({j, squared_distance});
-              });
-          const bool is_flat = local.surface_variation <= largest_variation_of_flat_points;
-          const double limit = inner_half * local.inverse_density * static_cast<double>(size - 1);
-          assign(i, local);
-          is_done[i] = 1;
-          represented[i] = 1;
-          for (const Neighbor& neighbor : neighbors)
-          {
-            const std::size_t j = neighbor.index;
-            if (is_flat && neighbor.squared_distance <= limit && j >= begin && j < end &&
-                is_done[j] == 0 && represented[i] < most)
-            {
-              assign(j, local);
-              is_done[j] = 1;
-              ++represented[i];
-            }
-          }
-          for (const Neighbor& neighbor : neighbors)
-            votes[neighbor.index].fetch_add(represented[i], std::memory_order_relaxed);
-        }
-      });
+  Uninitialized_vector<std::atomic<std::uint32_t>> m_votes;
+};
 
-  // Far from all others, an outlier and its neighbors may happen to be flat: there, each speaks for
-  // itself.
-  const double sparse = sparseness_of(shared.features.inverse_density).of_outliers;
-  for_each_index<ConcurrencyTag>(0, n, [&](std::size_t i) {
-    if (represented[i] == 0 && shared.features.inverse_density[i] > sparse)
-      assign(i, local_features<DiagonalizeTraits>(*cloud.search, cloud.points[i], size,
-                                                  cloud.coordinate_error));
-    // Not its own: where more points than have a vote are at one place, it may have none.
-    shared.votes[i] = (std::max)(votes[i].load(std::memory_order_relaxed), std::uint32_t(1)) - 1;
+// O(n (log n + k)), but k-nearest-neighbor queries for a quarter of the points only, where these
+// are dense against shape and noise
+template <typename ConcurrencyTag, typename DiagonalizeTraits>
+Shared_features compute_shared_features(const Searchable_points& cloud,
+                                        std::size_t number_of_neighbors, const Progress& progress)
+{
+  const std::size_t n = cloud.size();
+  Feature_sharing<DiagonalizeTraits> sharing(cloud, number_of_neighbors, ConcurrencyTag());
+  const std::size_t block = Feature_sharing<DiagonalizeTraits>::block;
+  for_each_index<ConcurrencyTag>((n + block - 1) / block, progress, [&](std::size_t b) {
+    sharing.compute(b * block, (std::min)(n, (b + 1) * block));
   });
-  return shared;
+  return sharing.take(ConcurrencyTag());
 }
 
 } // namespace internal

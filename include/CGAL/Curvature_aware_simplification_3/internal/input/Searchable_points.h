@@ -22,7 +22,7 @@ struct Searchable_points
 {
   std::vector<Point> points;
   std::unique_ptr<Neighbor_search> search; // has copies of the points
-  double coordinate_error;                 // of the points, from rounding in the input
+  double coordinate_error = 0.;            // of the points, from rounding in the input
 
   std::size_t size() const { return points.size(); }
 

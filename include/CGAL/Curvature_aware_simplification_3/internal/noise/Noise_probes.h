@@ -6,6 +6,7 @@
 #ifndef CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_NOISE_NOISE_PROBES_H
 #define CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_NOISE_NOISE_PROBES_H
 
+#include <CGAL/Curvature_aware_simplification_3/internal/input/Searchable_points.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/noise/Layer.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/tools/Curve_ranges.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/tools/Flags.h>
@@ -27,6 +28,7 @@ namespace internal {
 // median over those of them that are nearest to its middle.
 struct Noise_probes
 {
+  const Neighbor_search& search; // among all points, for what is around the probes
   std::vector<Point> points;
   std::vector<std::size_t> index; // of each, among the points of the curve
   std::vector<std::vector<std::size_t>> of_range;
@@ -64,24 +66,24 @@ inline std::size_t many_probes(std::size_t number_of_points, std::size_t most)
 
 // At most so many probes
 template <typename ConcurrencyTag>
-Noise_probes noise_probes(const std::vector<Point>& points, std::size_t most)
+Noise_probes noise_probes(const Searchable_points& cloud, std::size_t most)
 {
   constexpr std::size_t in_range = 8;
   constexpr std::size_t in_median = 64; // gives a median to about 8 % of the noise
 
-  Noise_probes probes;
-  const std::size_t number = (std::min)(most, points.size());
+  Noise_probes probes{*cloud.search, {}, {}, {}};
+  const std::size_t number = (std::min)(most, cloud.size());
   for (std::size_t i = 0; i < number; ++i)
   {
-    probes.index.push_back(middle_of_part(i, number, points.size()));
-    probes.points.push_back(points[probes.index.back()]);
+    probes.index.push_back(middle_of_part(i, number, cloud.size()));
+    probes.points.push_back(cloud.points[probes.index.back()]);
   }
   const std::size_t ranges = (std::max)(number / in_range, std::size_t(1));
   probes.of_range.resize(ranges);
-  const Neighbor_search search(probes.points, ConcurrencyTag());
+  const Neighbor_search search_probes(probes.points, ConcurrencyTag());
   for_each_index<ConcurrencyTag>(0, ranges, [&](std::size_t range) {
     const Point& middle = probes.points[middle_of_part(range, ranges, number)];
-    search.for_each_nearest(middle, in_median, [&](std::size_t i, const Point&, double) {
+    search_probes.for_each_nearest(middle, in_median, [&](std::size_t i, const Point&, double) {
       probes.of_range[range].push_back(i);
     });
   });
@@ -118,11 +120,11 @@ auto at_probes(const Noise_probes& probes, const std::vector<std::size_t>& range
 // `layer_around(search, place, k)` is the layer at a probe.
 template <typename ConcurrencyTag, typename LayerAround>
 std::vector<Layer> median_layers(const Noise_probes& probes, const std::vector<std::size_t>& ranges,
-                                 const Neighbor_search& search, std::size_t k,
-                                 const LayerAround& layer_around)
+                                 std::size_t k, const LayerAround& layer_around)
 {
-  const std::vector<Layer> layers = at_probes<ConcurrencyTag>(
-      probes, ranges, [&](std::size_t i) { return layer_around(search, probes.points[i], k); });
+  const std::vector<Layer> layers = at_probes<ConcurrencyTag>(probes, ranges, [&](std::size_t i) {
+    return layer_around(probes.search, probes.points[i], k);
+  });
   std::vector<Layer> medians(probes.of_range.size());
   for_each_index<ConcurrencyTag>(0, ranges.size(), [&](std::size_t r) {
     const std::vector<std::size_t>& of_range = probes.of_range[ranges[r]];

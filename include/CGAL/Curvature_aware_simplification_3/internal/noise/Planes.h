@@ -40,11 +40,11 @@ inline double tilt_of_plane(const Neighbor_search& search, const Point& place, s
 // The median tilts of the planes through the `few` nearest points, of some ranges
 template <typename ConcurrencyTag>
 std::vector<double> median_tilts(const Noise_probes& probes, const std::vector<std::size_t>& ranges,
-                                 const Neighbor_search& search, std::size_t few)
+                                 std::size_t few)
 {
   constexpr std::size_t many = 28; // between two rings and three
   const std::vector<double> tilts = at_probes<ConcurrencyTag>(probes, ranges, [&](std::size_t i) {
-    return tilt_of_plane(search, probes.points[i], few, many);
+    return tilt_of_plane(probes.search, probes.points[i], few, many);
   });
   std::vector<double> medians(probes.of_range.size(), 0.);
   for (std::size_t range : ranges)
@@ -64,10 +64,10 @@ struct Planes
 
 template <typename ConcurrencyTag>
 Planes planes_through(std::size_t few, const Noise_probes& probes,
-                      const std::vector<std::size_t>& ranges, const Neighbor_search& search)
+                      const std::vector<std::size_t>& ranges)
 {
-  return {median_layers<ConcurrencyTag>(probes, ranges, search, few, Layer_around_plane()),
-          median_tilts<ConcurrencyTag>(probes, ranges, search, few)};
+  return {median_layers<ConcurrencyTag>(probes, ranges, few, Layer_around_plane()),
+          median_tilts<ConcurrencyTag>(probes, ranges, few)};
 }
 
 } // namespace internal

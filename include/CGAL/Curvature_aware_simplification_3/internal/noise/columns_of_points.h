@@ -78,12 +78,12 @@ inline Column column_at(const Neighbor_search& search, const Point& place, const
 // The medians of these, of some ranges; those of others are left empty. At a probe, the axis is
 // that of its own range, along which the scanner looked there.
 template <typename ConcurrencyTag>
-std::vector<Column>
-median_columns(const Noise_probes& probes, const std::vector<std::size_t>& ranges,
-               const std::vector<Vector>& axes, const Neighbor_search& search, std::size_t k)
+std::vector<Column> median_columns(const Noise_probes& probes,
+                                   const std::vector<std::size_t>& ranges,
+                                   const std::vector<Vector>& axes, std::size_t k)
 {
   const std::vector<Column> columns = at_probes<ConcurrencyTag>(probes, ranges, [&](std::size_t i) {
-    return column_at(search, probes.points[i], axes[probes.range_around(i)], k);
+    return column_at(probes.search, probes.points[i], axes[probes.range_around(i)], k);
   });
   std::vector<Column> medians(probes.of_range.size());
   for (std::size_t range : ranges)
@@ -105,17 +105,17 @@ median_columns(const Noise_probes& probes, const std::vector<std::size_t>& range
 // scatter so far that columns hardly show. So none is taken for columns if these are too few.
 template <typename ConcurrencyTag>
 Flags find_columns(const Noise_probes& probes, const std::vector<std::size_t>& ranges,
-                   const std::vector<Vector>& axes, const Neighbor_search& search)
+                   const std::vector<Vector>& axes)
 {
   constexpr double steep = 0.15, least_share = 0.45;
   std::vector<std::size_t> suspects;
   std::copy_if(ranges.begin(), ranges.end(), std::back_inserter(suspects),
                [&](std::size_t range) { return axes[range] != NULL_VECTOR; });
   const std::vector<Column> columns =
-      median_columns<ConcurrencyTag>(probes, suspects, axes, search, least_columns);
+      median_columns<ConcurrencyTag>(probes, suspects, axes, least_columns);
   const std::vector<Vector> normals =
       at_probes<ConcurrencyTag>(probes, suspects, [&](std::size_t i) {
-        return normal_around_column(search, probes.points[i]);
+        return normal_around_column(probes.search, probes.points[i]);
       });
   const auto are_columns = [&](std::size_t range) {
     const Common_axis normal = common_axis(
@@ -146,8 +146,7 @@ struct Columns
 
 // Only ranges whose planes through 7 points are no part of the surface are asked.
 template <typename ConcurrencyTag>
-Columns columns_of_ranges(const Noise_probes& probes, const Neighbor_search& search,
-                          const Planes& planes_of_7)
+Columns columns_of_ranges(const Noise_probes& probes, const Planes& planes_of_7)
 {
   // Noise tilts planes by 0.25 to 0.45, columns by 0.65 to 1.
   constexpr double tilt_along_columns = 0.4;
@@ -158,8 +157,8 @@ Columns columns_of_ranges(const Noise_probes& probes, const Neighbor_search& sea
     return planes_of_7.tilt[range] > tilt_along_columns || !planes_of_7.layer[range].is_broad();
   });
   Columns columns(ranges.size());
-  columns.axis = parallel_axes<ConcurrencyTag>(probes, suspects, search);
-  columns.exist = find_columns<ConcurrencyTag>(probes, suspects, columns.axis, search);
+  columns.axis = parallel_axes<ConcurrencyTag>(probes, suspects);
+  columns.exist = find_columns<ConcurrencyTag>(probes, suspects, columns.axis);
   return columns;
 }
 

@@ -9,7 +9,6 @@
 #include <CGAL/Curvature_aware_simplification_3/internal/noise/Layer.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/noise/Noise_probes.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/noise/Planes.h>
-#include <CGAL/Curvature_aware_simplification_3/internal/tools/Neighbor_search.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -45,11 +44,10 @@ struct Plane_of_few_points
 template <typename ConcurrencyTag>
 std::vector<double> limits_of_noise(const Noise_probes& probes,
                                     const std::vector<std::size_t>& ranges,
-                                    const Neighbor_search& search, const Planes& planes_of_7)
+                                    const Planes& planes_of_7)
 {
   constexpr Plane_of_few_points plane_of_5{5, 3.55, 0.84}, plane_of_7{points_of_ring, 3.3, 0.88};
-  const Planes planes_of_5 =
-      planes_through<ConcurrencyTag>(plane_of_5.number, probes, ranges, search);
+  const Planes planes_of_5 = planes_through<ConcurrencyTag>(plane_of_5.number, probes, ranges);
   std::vector<double> limits(probes.of_range.size(), std::numeric_limits<double>::infinity());
   for (std::size_t range : ranges)
     limits[range] = (std::min)(plane_of_5.limit(planes_of_5.layer[range], planes_of_5.tilt[range]),

@@ -6,6 +6,7 @@
 #ifndef CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_NOISE_MEASURE_NOISE_H
 #define CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_NOISE_MEASURE_NOISE_H
 
+#include <CGAL/Curvature_aware_simplification_3/internal/input/Searchable_points.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/noise/Noise_levels.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/noise/Noise_of_range.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/noise/Noise_probes.h>
@@ -14,7 +15,6 @@
 #include <CGAL/Curvature_aware_simplification_3/internal/noise/noise_around_planes.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/noise/noise_around_quadrics.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/parameters/Adaptive_settings.h>
-#include <CGAL/Curvature_aware_simplification_3/internal/tools/Neighbor_search.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -52,28 +52,27 @@ inline Noise noise_of_both(const Noise_around_quadrics& around_quadrics,
 
 // Standard deviation sigma of the distance of the points to the surface, by place
 template <typename ConcurrencyTag>
-Noise_levels measure_noise(const std::vector<Point>& points, const Neighbor_search& search,
-                           std::size_t number_of_probes, bool points_share_errors,
-                           const Adaptive_settings& settings)
+Noise_levels measure_noise(const Searchable_points& cloud, std::size_t number_of_probes,
+                           bool points_share_errors, const Adaptive_settings& settings)
 {
-  const Noise_probes probes = noise_probes<ConcurrencyTag>(points, number_of_probes);
+  const Noise_probes probes = noise_probes<ConcurrencyTag>(cloud, number_of_probes);
   Columns columns(probes.of_range.size());
   std::vector<Noise_around_planes> around_planes(probes.of_range.size()); // nothing known
   if (settings.noise_around_planes)
   {
     const Planes planes_of_7 =
-        planes_through<ConcurrencyTag>(points_of_ring, probes, all_ranges(probes), search);
+        planes_through<ConcurrencyTag>(points_of_ring, probes, all_ranges(probes));
     if (settings.find_columns)
-      columns = columns_of_ranges<ConcurrencyTag>(probes, search, planes_of_7);
-    around_planes = noise_around_planes<ConcurrencyTag>(probes, search, planes_of_7, columns,
+      columns = columns_of_ranges<ConcurrencyTag>(probes, planes_of_7);
+    around_planes = noise_around_planes<ConcurrencyTag>(probes, planes_of_7, columns,
                                                         points_share_errors, settings);
   }
   const std::vector<Noise_around_quadrics> around_quadrics =
-      noise_around_quadrics<ConcurrencyTag>(probes, search, around_planes, columns, settings);
+      noise_around_quadrics<ConcurrencyTag>(probes, around_planes, columns, settings);
   std::vector<Noise> noise;
   for (std::size_t range = 0; range < around_quadrics.size(); ++range)
     noise.push_back(noise_of_both(around_quadrics[range], around_planes[range]));
-  return {std::move(noise), points.size()};
+  return {std::move(noise), cloud.size()};
 }
 
 } // namespace internal

@@ -14,7 +14,6 @@
 #include <CGAL/Curvature_aware_simplification_3/internal/noise/limits_of_noise.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/parameters/Adaptive_settings.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/tools/Flags.h>
-#include <CGAL/Curvature_aware_simplification_3/internal/tools/Neighbor_search.h>
 
 #include <cstddef>
 #include <limits>
@@ -39,17 +38,16 @@ struct Noise_around_planes
 // rounding of depth, a few hide it and set no limit.
 template <typename ConcurrencyTag>
 std::vector<Noise_around_planes>
-noise_around_planes(const Noise_probes& probes, const Neighbor_search& search,
-                    const Planes& planes_of_7, const Columns& columns, bool points_share_errors,
-                    const Adaptive_settings& settings)
+noise_around_planes(const Noise_probes& probes, const Planes& planes_of_7, const Columns& columns,
+                    bool points_share_errors, const Adaptive_settings& settings)
 {
   // A plane turns along the noise as well: with 5, it shows up to a tenth too little of it.
   constexpr double wide_enough = 6.;
 
   const std::vector<std::size_t> ranges = all_ranges(probes);
   const bool set_limits = settings.limit_noise_by_planes && !points_share_errors;
-  const std::vector<Layer> wide = median_layers<ConcurrencyTag>(
-      probes, ranges, search, 2 * points_of_ring, Layer_around_plane());
+  const std::vector<Layer> wide =
+      median_layers<ConcurrencyTag>(probes, ranges, 2 * points_of_ring, Layer_around_plane());
   std::vector<Noise_around_planes> noise(ranges.size());
   std::vector<std::size_t> to_limit;
   for (std::size_t range : ranges)
@@ -65,8 +63,7 @@ noise_around_planes(const Noise_probes& probes, const Neighbor_search& search,
     if (set_limits && !in_columns && !here.is_reliable)
       to_limit.push_back(range);
   }
-  const std::vector<double> limits =
-      limits_of_noise<ConcurrencyTag>(probes, to_limit, search, planes_of_7);
+  const std::vector<double> limits = limits_of_noise<ConcurrencyTag>(probes, to_limit, planes_of_7);
   for (std::size_t range : to_limit)
     noise[range].limit = limits[range];
   return noise;

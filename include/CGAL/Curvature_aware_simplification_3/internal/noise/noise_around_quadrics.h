@@ -12,7 +12,6 @@
 #include <CGAL/Curvature_aware_simplification_3/internal/noise/columns_of_points.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/noise/noise_around_planes.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/parameters/Adaptive_settings.h>
-#include <CGAL/Curvature_aware_simplification_3/internal/tools/Neighbor_search.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/tools/median.h>
 
 #include <algorithm>
@@ -68,19 +67,19 @@ inline void limit_unknown_noise(const std::vector<std::size_t>& unknown, double 
 // are taken as they are.
 template <typename ConcurrencyTag>
 std::vector<Noise_around_quadrics>
-noise_around_quadrics(const Noise_probes& probes, const Neighbor_search& search,
+noise_around_quadrics(const Noise_probes& probes,
                       const std::vector<Noise_around_planes>& around_planes, const Columns& columns,
                       const Adaptive_settings& settings)
 {
   const auto layers = [&](const std::vector<std::size_t>& ranges, std::size_t k) {
-    return median_layers<ConcurrencyTag>(probes, ranges, search, k, Layer_around_quadric());
+    return median_layers<ConcurrencyTag>(probes, ranges, k, Layer_around_quadric());
   };
 
   std::vector<std::size_t> unknown = all_ranges(probes);
   std::vector<Noise_of_range> of_range(unknown.size());
   std::size_t k = Noise_of_range::smallest;
   std::vector<Layer> inner = layers(unknown, k / 2), narrow = layers(unknown, k);
-  for (; !unknown.empty() && k <= Noise_of_range::largest && 2 * k <= search.size(); k *= 2)
+  for (; !unknown.empty() && k <= Noise_of_range::largest && 2 * k <= probes.search.size(); k *= 2)
   {
     std::vector<Layer> wide = layers(unknown, 2 * k);
     // where k points hold too few columns, they show a plane along these and no noise
@@ -88,7 +87,7 @@ noise_around_quadrics(const Noise_probes& probes, const Neighbor_search& search,
     std::copy_if(unknown.begin(), unknown.end(), std::back_inserter(in_columns),
                  [&](std::size_t range) { return columns.exist[range] != 0; });
     const std::vector<Column> around =
-        median_columns<ConcurrencyTag>(probes, in_columns, columns.axis, search, k);
+        median_columns<ConcurrencyTag>(probes, in_columns, columns.axis, k);
     for (std::size_t range : in_columns)
       if (around[range].is_one_of_few(k))
         of_range[range].expect_columns(around[range].radius, 2 * k);

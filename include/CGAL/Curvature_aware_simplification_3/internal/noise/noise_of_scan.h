@@ -7,11 +7,11 @@
 #define CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_NOISE_NOISE_OF_SCAN_H
 
 #include <CGAL/Curvature_aware_simplification_3/internal/depth/Depth_levels.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/input/Searchable_points.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/noise/Noise_levels.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/noise/Noise_probes.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/noise/measure_noise.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/parameters/Adaptive_settings.h>
-#include <CGAL/Curvature_aware_simplification_3/internal/tools/Neighbor_search.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/tools/lattice_spacing.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/tools/loops.h>
 
@@ -53,17 +53,17 @@ void allow_for_rounding(Noise_levels& noise, const std::vector<Point>& points,
 
 // The noise of the points without outliers, and what rounding has left of depth, by place
 template <typename ConcurrencyTag>
-Noise_levels noise_of_scan(const std::vector<Point>& points, const Neighbor_search& search,
+Noise_levels noise_of_scan(const Searchable_points& cloud,
                            const std::vector<Depth_levels>& depth_levels,
                            std::size_t number_of_probes, const Adaptive_settings& settings)
 {
   const bool was_rounded = !depth_levels.empty();
   Noise_levels noise =
       settings.measure_noise
-          ? measure_noise<ConcurrencyTag>(points, search, number_of_probes, was_rounded, settings)
-          : uniform_noise(0., points.size());
+          ? measure_noise<ConcurrencyTag>(cloud, number_of_probes, was_rounded, settings)
+          : uniform_noise(0., cloud.size());
   if (was_rounded)
-    allow_for_rounding<ConcurrencyTag>(noise, points, depth_levels);
+    allow_for_rounding<ConcurrencyTag>(noise, cloud.points, depth_levels);
   if (!settings.noise_by_place)
     noise.make_uniform();
   return noise;

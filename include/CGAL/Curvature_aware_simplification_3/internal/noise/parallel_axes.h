@@ -86,12 +86,11 @@ Common_axis common_axis(const std::vector<std::size_t>& indices, const UnitVecto
 // as large.
 template <typename ConcurrencyTag>
 std::vector<Vector> parallel_axes(const Noise_probes& probes,
-                                  const std::vector<std::size_t>& ranges,
-                                  const Neighbor_search& search)
+                                  const std::vector<std::size_t>& ranges)
 {
   constexpr double parallel = 0.4; // of the difference times the root of the number at each place
   const auto directions = at_probes<ConcurrencyTag>(probes, ranges, [&](std::size_t i) {
-    return directions_to_nearest(search, probes.points[i]);
+    return directions_to_nearest(probes.search, probes.points[i]);
   });
   std::vector<Vector> axes(probes.of_range.size(), NULL_VECTOR);
   for (std::size_t range : ranges)

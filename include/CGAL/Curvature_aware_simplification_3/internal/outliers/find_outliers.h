@@ -10,6 +10,7 @@
 #include <CGAL/Curvature_aware_simplification_3/internal/features/shared_features.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/features/thick_and_sparse.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/input/Cloud.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/input/Searchable_points.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/outliers/Outlier_votes.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/outliers/connected_surfaces.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/outliers/dense_outliers.h>
@@ -18,7 +19,6 @@
 #include <CGAL/Curvature_aware_simplification_3/internal/outliers/sparse_surfaces.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/parameters/Adaptive_settings.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/tools/Flags.h>
-#include <CGAL/Curvature_aware_simplification_3/internal/tools/Neighbor_search.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/tools/Progress.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/tools/index_selection.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/tools/loops.h>

@@ -10,6 +10,7 @@
 #include <CGAL/Curvature_aware_simplification_3/internal/noise/bias_of_noise.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/projection/fits_of_all_sizes.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/samples/Surface_sample.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/tools/Neighbor_search.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/tools/Progress.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/tools/loops.h>
 

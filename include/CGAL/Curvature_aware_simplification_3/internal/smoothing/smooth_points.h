@@ -11,6 +11,7 @@
 #include <CGAL/Curvature_aware_simplification_3/internal/noise/Noise_levels.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/smoothing/thin_points.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/tools/Flags.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/tools/Neighbor_search.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/tools/Progress.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/tools/Uninitialized_vector.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/tools/index_selection.h>

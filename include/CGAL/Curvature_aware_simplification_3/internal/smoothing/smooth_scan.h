@@ -15,7 +15,6 @@
 #include <CGAL/Curvature_aware_simplification_3/internal/smoothing/smoothing_radii.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/smoothing/spare_thin_parts.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/tools/Flags.h>
-#include <CGAL/Curvature_aware_simplification_3/internal/tools/Neighbor_search.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/tools/Progress.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/tools/Uninitialized_vector.h>
 
@@ -32,10 +31,10 @@ template <typename ConcurrencyTag>
 void smooth_scan(Scan& scan, Flags& is_bent, std::size_t number_of_samples, std::size_t k,
                  const Adaptive_settings& settings, const Progress& progress)
 {
-  const Noise_probes probes = smoothing_probes<ConcurrencyTag>(scan.points, settings);
+  const Noise_probes probes = smoothing_probes<ConcurrencyTag>(scan, settings);
   if (settings.spare_thin_parts)
-    spare_thin_parts<ConcurrencyTag>(scan.noise, probes, *scan.search, settings);
-  set_smoothing_radii<ConcurrencyTag>(scan.noise, probes, *scan.search, scan.spacing(), settings);
+    spare_thin_parts<ConcurrencyTag>(scan.noise, probes, settings);
+  set_smoothing_radii<ConcurrencyTag>(scan.noise, probes, scan.spacing(), settings);
   scan.noise = smooth_points<ConcurrencyTag>(scan.points, scan.inverse_density, is_bent,
                                              *scan.search, scan.noise, number_of_samples, settings,
                                              progress.part(0., 0.8));
@@ -44,8 +43,7 @@ void smooth_scan(Scan& scan, Flags& is_bent, std::size_t number_of_samples, std:
   progress.report(0.84);
   // Noise carries points apart: in a layer of half a spacing of the samples, the area of the
   // surface looked twice as large. Frames put them on top of each other, and it looked smaller.
-  scan.inverse_density =
-      inverse_densities<ConcurrencyTag>(scan.points, *scan.search, k, progress.part(0.84, 1.));
+  scan.inverse_density = inverse_densities<ConcurrencyTag>(scan, k, progress.part(0.84, 1.));
   scan.even_density =
       even_density<ConcurrencyTag>(scan.inverse_density, number_of_samples, settings.densest);
 }

@@ -10,10 +10,12 @@
 #include <CGAL/Curvature_aware_simplification_3/internal/fitting/Neighborhood.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/fitting/Surface_fit.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/fitting/fit_quadric.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/input/Searchable_points.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/noise/Noise_levels.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/noise/Noise_probes.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/parameters/Adaptive_settings.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/tools/Curve_ranges.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/tools/Neighbor_search.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/tools/loops.h>
 
 #include <algorithm>
@@ -136,17 +138,15 @@ inline double radius_to_compare(const Noise& noise)
 
 // The places at which the shape is looked at: as many as those of visible noise
 template <typename ConcurrencyTag>
-Noise_probes smoothing_probes(const std::vector<Point>& points, const Adaptive_settings& settings)
+Noise_probes smoothing_probes(const Searchable_points& cloud, const Adaptive_settings& settings)
 {
-  return noise_probes<ConcurrencyTag>(points,
-                                      many_probes(points.size(), settings.most_noise_probes));
+  return noise_probes<ConcurrencyTag>(cloud, many_probes(cloud.size(), settings.most_noise_probes));
 }
 
 // Decides in which balls the points of each range with visible noise are smoothed: wide ones where
 // the shape is smooth, narrow ones where it has details.
 template <typename ConcurrencyTag>
-void set_smoothing_radii(Noise_levels& noise, const Noise_probes& probes,
-                         const Neighbor_search& search, double spacing_of_samples,
+void set_smoothing_radii(Noise_levels& noise, const Noise_probes& probes, double spacing_of_samples,
                          const Adaptive_settings& settings)
 {
   for (Noise& here : noise.of_range)
@@ -154,7 +154,7 @@ void set_smoothing_radii(Noise_levels& noise, const Noise_probes& probes,
   if (!settings.smooth_by_shape)
     return;
 
-  const Surface_fitter fitter{search, settings};
+  const Surface_fitter fitter{probes.search, settings};
   const std::size_t number = probes.points.size();
   std::vector<Fit_difference> differences(number);
   for_each_index<ConcurrencyTag>(0, number, [&](std::size_t i) {

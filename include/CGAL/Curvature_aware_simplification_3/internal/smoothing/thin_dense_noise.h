@@ -30,15 +30,15 @@ namespace internal {
 
 // How many points are in a ball of 4 sigma, which smooths a point, around each probe
 template <typename ConcurrencyTag>
-std::vector<double> points_in_noise(const Noise_probes& probes, const Neighbor_search& search,
-                                    const Noise_levels& noise, std::size_t most)
+std::vector<double> points_in_noise(const Noise_probes& probes, const Noise_levels& noise,
+                                    std::size_t most)
 {
   const std::size_t number = probes.points.size();
   std::vector<double> in_ball(number, 0.);
   for_each_index<ConcurrencyTag>(0, number, [&](std::size_t i) {
     const Noise& here = noise.at(probes.index[i]);
     if (here.is_visible)
-      search.for_each_within(
+      probes.search.for_each_within(
           probes.points[i], largest_smoothing_radius_in_noise * here.level,
           [&](std::size_t, const Point&, double) { in_ball[i] += 1.; }, most);
   });
@@ -55,8 +55,7 @@ std::vector<double> points_in_noise(const Noise_probes& probes, const Neighbor_s
 // 2 sigma; with twice as many, flat parts gain and thin ones lose. As long as it holds no more than
 // six times 289, all are better than a part.
 template <typename ConcurrencyTag>
-std::vector<double> parts_against_noise(const std::vector<Point>& points,
-                                        const Neighbor_search& search, const Noise_levels& noise,
+std::vector<double> parts_against_noise(const Searchable_points& cloud, const Noise_levels& noise,
                                         const Adaptive_settings& settings)
 {
   constexpr std::size_t enough = 4 * largest_neighborhood, too_many = 6 * largest_neighborhood;
@@ -64,8 +63,8 @@ std::vector<double> parts_against_noise(const std::vector<Point>& points,
   // not counted.
   constexpr std::size_t most = 16 * enough;
 
-  const Noise_probes probes = smoothing_probes<ConcurrencyTag>(points, settings);
-  const std::vector<double> in_ball = points_in_noise<ConcurrencyTag>(probes, search, noise, most);
+  const Noise_probes probes = smoothing_probes<ConcurrencyTag>(cloud, settings);
+  const std::vector<double> in_ball = points_in_noise<ConcurrencyTag>(probes, noise, most);
   std::vector<double> parts(probes.of_range.size());
   for_each_index<ConcurrencyTag>(0, parts.size(), [&](std::size_t range) {
     // The median over many places around: ranges may be shorter than noise is wide, and were those
@@ -105,8 +104,7 @@ bool thin_dense_noise(Searchable_points& cloud, Noise_levels& noise,
     noise.make_visible_above(visible_error);
     if (!noise.is_visible())
       return is_thinned;
-    const std::vector<double> parts =
-        parts_against_noise<ConcurrencyTag>(cloud.points, *cloud.search, noise, settings);
+    const std::vector<double> parts = parts_against_noise<ConcurrencyTag>(cloud, noise, settings);
     const double enough =
         mean<ConcurrencyTag>(parts.size(), [&](std::size_t r) { return parts[r]; });
     const double to_select =
@@ -117,8 +115,7 @@ bool thin_dense_noise(Searchable_points& cloud, Noise_levels& noise,
         points_against_noise<ConcurrencyTag>(parts, cloud.size(), number_of_samples);
     keep_elements<ConcurrencyTag>(kept, cloud.points);
     cloud.rebuild_search<ConcurrencyTag>();
-    noise = noise_of_scan<ConcurrencyTag>(cloud.points, *cloud.search, depth_levels, few_probes,
-                                          settings);
+    noise = noise_of_scan<ConcurrencyTag>(cloud, depth_levels, few_probes, settings);
   }
 }
 
