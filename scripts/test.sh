@@ -3,8 +3,9 @@
 #
 #   scripts/test.sh [full]
 #
-# "full" adds what takes long: a build with clang, one with the newest CGAL that can be had from
-# Debian, and the tests under the address and undefined behavior sanitizers.
+# "full" adds what takes long: a build with clang, also of each internal header by itself, one with
+# the newest CGAL that can be had from Debian, and the tests under the address and undefined behavior
+# sanitizers.
 set -euo pipefail
 mode=${1:-quick}
 
