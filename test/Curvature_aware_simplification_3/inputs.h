@@ -7,6 +7,7 @@
 
 #include <CGAL/Curvature_aware_simplification_3/internal/features/shared_features.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/input/Cloud.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/samples/Sample_neighbors.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/tools/Neighbor_search.h>
 #include <CGAL/curvature_aware_simplify_point_set.h>
 
@@ -131,6 +132,12 @@ inline std::vector<Point> frames_of_a_scanner_at_rest(int n, int frames, double 
 inline Cloud cloud_of(const std::vector<Point>& points, double relative_error = 1e-16)
 {
   return make_cloud<Tag>(points, relative_error, Progress(no_callback));
+}
+
+// They stay those of the vector.
+inline Neighbor_indices neighbor_indices(const std::vector<std::size_t>& indices)
+{
+  return CGAL::make_range(indices.data(), indices.data() + indices.size());
 }
 
 // These points, in this order

@@ -139,7 +139,8 @@ TEST(Fold, is_seen_by_samples_on_both_sides)
     std::vector<std::size_t> neighbors(points.size());
     for (std::size_t i = 0; i < points.size(); ++i)
       neighbors[i] = i;
-    return is_seen_by_samples(fold, Point(0., 0., 0.), neighbors, points, 1., distance);
+    return is_seen_by_samples(fold, Point(0., 0., 0.), neighbor_indices(neighbors), points, 1.,
+                              distance);
   };
   EXPECT_TRUE(is_seen({first, first, second, second, none}));
   EXPECT_FALSE(is_seen({first, second, none}));
@@ -277,7 +278,7 @@ TEST(Adaptive, looks_for_no_corners_where_samples_are_crowded)
   const auto corner = [&](double d) {
     const std::vector<Point> samples = {Point(0.2 + d, 0.2, 0.), Point(0.2, 0.2 + d, 0.),
                                         Point(0.2 + d, 0.2 + d, 0.)};
-    return nearest_corner(x, neighbors, samples, fit);
+    return nearest_corner(x, neighbor_indices(neighbors), samples, fit);
   };
   const std::optional<Target> found = corner(0.3);
   ASSERT_TRUE(found);

@@ -15,6 +15,7 @@
 #include <cstddef>
 #include <iterator>
 #include <map>
+#include <numeric>
 #include <set>
 #include <utility>
 #include <vector>
@@ -23,7 +24,7 @@ namespace {
 
 using namespace inputs;
 
-// at the origin, with the normal z and neighbors 0, 1, ... of the points
+// at the origin, with the normal z
 Surface_sample sample_at_origin(double spacing)
 {
   Surface_sample x;
@@ -31,12 +32,12 @@ Surface_sample sample_at_origin(double spacing)
   return x;
 }
 
-std::vector<std::size_t> all_of(const std::vector<Point>& points)
+// of all the points
+std::vector<Triangle> triangles_of(const Surface_sample& x, const std::vector<Point>& points)
 {
-  std::vector<std::size_t> indices;
-  for (std::size_t i = 0; i < points.size(); ++i)
-    indices.push_back(i);
-  return indices;
+  std::vector<std::size_t> all(points.size());
+  std::iota(all.begin(), all.end(), std::size_t(0));
+  return triangles_around(x, neighbor_indices(all), points);
 }
 
 std::vector<Point> hexagon(double radius)
@@ -83,7 +84,7 @@ TEST(Triangles_around, are_those_of_a_delaunay_triangulation)
         expected.insert(corners);
       }
     while (++face != first);
-    for (const Triangle& t : triangles_around(sample_at_origin(1.), all_of(points), points))
+    for (const Triangle& t : triangles_of(sample_at_origin(1.), points))
     {
       EXPECT_EQ(t[0], Point(CGAL::ORIGIN));
       found.insert({t[1], t[2]});
@@ -97,8 +98,7 @@ TEST(Triangles_around, leave_out_another_sheet)
   std::vector<Point> points = hexagon(1.);
   points.emplace_back(0.1, 0., -0.3); // a thin part's other side
   points.emplace_back(0., 0., 0.);    // another sample at the same place
-  const std::vector<Triangle> triangles =
-      triangles_around(sample_at_origin(1.), all_of(points), points);
+  const std::vector<Triangle> triangles = triangles_of(sample_at_origin(1.), points);
   ASSERT_EQ(triangles.size(), 6u);
   for (const Triangle& t : triangles)
     EXPECT_NEAR(std::sqrt(t.squared_area()), std::sqrt(3.) / 4., 1e-12);
@@ -107,15 +107,15 @@ TEST(Triangles_around, leave_out_another_sheet)
 TEST(Triangles_around, are_none_of_a_line)
 {
   const std::vector<Point> points = {Point(-1., 0., 0.), Point(1., 0., 0.), Point(2., 0., 0.)};
-  EXPECT_TRUE(triangles_around(sample_at_origin(1.), all_of(points), points).empty());
-  EXPECT_TRUE(triangles_around(sample_at_origin(1.), all_of({}), points).empty());
+  EXPECT_TRUE(triangles_of(sample_at_origin(1.), points).empty());
+  EXPECT_TRUE(triangles_around(sample_at_origin(1.), neighbor_indices({}), points).empty());
 }
 
 // Where densities overflow, spacings are 0, and nothing in their unit is a number.
 TEST(Triangles_around, are_none_without_a_unit)
 {
   const std::vector<Point> points = hexagon(1.);
-  EXPECT_TRUE(triangles_around(sample_at_origin(0.), all_of(points), points).empty());
+  EXPECT_TRUE(triangles_of(sample_at_origin(0.), points).empty());
 }
 
 TEST(Missed_points, are_as_far_as_from_the_triangles)
@@ -125,7 +125,7 @@ TEST(Missed_points, are_as_far_as_from_the_triangles)
   {
     const std::vector<Point> points = hexagon(2. * unit);
     const Surface_sample x = sample_at_origin(unit);
-    const std::vector<Triangle> triangles = triangles_around(x, all_of(points), points);
+    const std::vector<Triangle> triangles = triangles_of(x, points);
     const auto distance = [&](double a, double b, double c) {
       return distance_from_triangles(Point(a * unit, b * unit, c * unit), x, triangles) / unit;
     };

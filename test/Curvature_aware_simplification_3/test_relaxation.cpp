@@ -78,7 +78,7 @@ TEST(Repulsion, is_the_weighted_mean_of_the_directions_away)
   const std::vector<double> squares(4, 4.); // of the spacings
   const Adaptive_settings settings;
   const auto repulsion = [&](std::vector<std::size_t> neighbors, const std::vector<double>& s) {
-    return tangential_repulsion(x, neighbors, points, s, settings);
+    return tangential_repulsion(x, neighbor_indices(neighbors), points, s, settings);
   };
   EXPECT_NEAR((repulsion({0}, squares) - Vector(-1., 0., 0.)).squared_length(), 0., 1e-28);
   EXPECT_EQ(repulsion({3}, squares), Vector(0., 0., 0.));

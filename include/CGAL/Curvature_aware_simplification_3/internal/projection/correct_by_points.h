@@ -46,9 +46,8 @@ inline bool is_missed(const Surface_sample& x, const Point& nearest)
 }
 
 // The squared distance of a point to the nearest of these samples
-template <typename Neighbors>
-double squared_distance_to_samples(const Point& p, const Neighbors& neighbors,
-                                   const std::vector<Surface_sample>& samples)
+inline double squared_distance_to_samples(const Point& p, const Neighbor_indices& neighbors,
+                                          const std::vector<Surface_sample>& samples)
 {
   double result = std::numeric_limits<double>::infinity();
   for (std::size_t j : neighbors)

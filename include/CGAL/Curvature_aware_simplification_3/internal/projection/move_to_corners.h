@@ -35,26 +35,21 @@ struct Way_out
   double mean_distance = 0.;
 };
 
-template <typename Neighbors>
-Way_out way_out(const Surface_sample& x, const Neighbors& neighbors,
-                const std::vector<Point>& points)
+inline Way_out way_out(const Surface_sample& x, const Neighbor_indices& neighbors,
+                       const std::vector<Point>& points)
 {
-  constexpr std::size_t most = 8; // the ring around a sample, and some more
+  const Neighbor_indices ring = first_of(neighbors, 8); // around a sample, and some more
   const Vector normal = x.normal();
   Vector sum(0., 0., 0.);
   double length = 0.;
-  std::size_t number = 0;
-  for (std::size_t i : neighbors)
+  for (std::size_t i : ring)
   {
-    if (number == most)
-      break;
-    ++number;
     const Vector d = x.point - points[i];
     const Vector t = d - (d * normal) * normal;
     sum = sum + t;
     length += std::sqrt(t.squared_length());
   }
-  return length > 0. ? Way_out{sum / length, length / static_cast<double>(number)} : Way_out();
+  return length > 0. ? Way_out{sum / length, length / static_cast<double>(ring.size())} : Way_out();
 }
 
 // Whether the neighbors are in a part of a plane that is clearly less than a half, and their center
@@ -73,9 +68,10 @@ inline bool is_corner(const Neighborhood& neighborhood, const Vector& normal)
 
 // The corner of an open surface next to a sample, if there is one: the last point of the input on
 // the way out of the samples, if it is a corner of the input
-template <typename Neighbors>
-std::optional<Target> nearest_corner(const Surface_sample& x, const Neighbors& neighbors,
-                                     const std::vector<Point>& points, const Surface_fit& fit)
+inline std::optional<Target> nearest_corner(const Surface_sample& x,
+                                            const Neighbor_indices& neighbors,
+                                            const std::vector<Point>& points,
+                                            const Surface_fit& fit)
 {
   constexpr double at_border = 0.55; // somewhat less than on a straight one
   constexpr double reach = 1.; // in spacings: where samples are even, one is nearer to a corner

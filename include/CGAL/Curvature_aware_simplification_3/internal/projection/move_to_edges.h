@@ -32,11 +32,11 @@ inline constexpr double near_edge = 0.65;
 
 // Whether the fold is more than a detail between the samples: most of the samples nearest to the
 // one at `distance` spacings from the edge are on it, and some on each side.
-template <typename Neighbors>
-bool is_seen_by_samples(const Fold& fold, const Point& center, const Neighbors& neighbors,
-                        const std::vector<Point>& points, double spacing, double distance)
+inline bool is_seen_by_samples(const Fold& fold, const Point& center,
+                               const Neighbor_indices& neighbors, const std::vector<Point>& points,
+                               double spacing, double distance)
 {
-  constexpr std::size_t most = 12; // one ring and a half
+  const Neighbor_indices nearest = first_of(neighbors, 12); // one ring and a half
   // The others may be on a third face: three of 12. With four, errors of CAD parts are 13 % larger
   // at 1 % of the points, with two 3 % at 10 %. But one for the first row: where faces are a few
   // spacings wide, there are no samples to spare; with two, the error of such a part at 1 % is 25 %
@@ -45,12 +45,9 @@ bool is_seen_by_samples(const Fold& fold, const Point& center, const Neighbors& 
   // in spacings: faces may bend with a radius of 3 spacings
   constexpr double tolerance = 0.15;
 
-  std::size_t number = 0, on_fold = 0, only_on[2] = {0, 0};
-  for (std::size_t i : neighbors)
+  std::size_t on_fold = 0, only_on[2] = {0, 0};
+  for (std::size_t i : nearest)
   {
-    if (number == most)
-      break;
-    ++number;
     const Vector p = points[i] - center;
     const bool on_first = std::abs(fold.planes[0].distance(p)) < tolerance * spacing;
     const bool on_second = std::abs(fold.planes[1].distance(p)) < tolerance * spacing;
@@ -58,16 +55,15 @@ bool is_seen_by_samples(const Fold& fold, const Point& center, const Neighbors& 
     only_on[0] += on_first && !on_second;
     only_on[1] += on_second && !on_first;
   }
-  return static_cast<double>(on_fold) >= share * static_cast<double>(number) && only_on[0] > 0 &&
-         only_on[1] > 0;
+  return static_cast<double>(on_fold) >= share * static_cast<double>(nearest.size()) &&
+         only_on[0] > 0 && only_on[1] > 0;
 }
 
 // The nearest point of a sharp edge that the input around `center` shows, if there is one within
 // `reach` spacings of a sample
-template <typename Neighbors>
-std::optional<Target> edge_point(const Surface_sample& x, const Point& center, double reach,
-                                 const Neighbors& neighbors, const std::vector<Point>& points,
-                                 const Surface_fit& fit)
+inline std::optional<Target> edge_point(const Surface_sample& x, const Point& center, double reach,
+                                        const Neighbor_indices& neighbors,
+                                        const std::vector<Point>& points, const Surface_fit& fit)
 {
   // 32 neighbors, of which planes have ten or more each; with noise, all within 46 sigma, so
   // that the tolerance of 3 sigma is small, but at most four times as many. Within 30 sigma and at
@@ -100,10 +96,10 @@ std::optional<Target> edge_point(const Surface_sample& x, const Point& center, d
 
 // The nearest point of a sharp edge near a sample, if there is one. `bent` finds the points of the
 // input at which there may be one.
-template <typename Neighbors>
-std::optional<Target> nearest_edge_point(const Surface_sample& x, const Neighbors& neighbors,
-                                         const std::vector<Point>& points, const Surface_fit& fit,
-                                         const Neighbor_search& bent)
+inline std::optional<Target> nearest_edge_point(const Surface_sample& x,
+                                                const Neighbor_indices& neighbors,
+                                                const std::vector<Point>& points,
+                                                const Surface_fit& fit, const Neighbor_search& bent)
 {
   // In spacings: the first row on each side. Where an edge has a gap, a surface connects the faces
   // across it and cuts it off, unless the samples beside it fill it. With `near_edge`, the 99th

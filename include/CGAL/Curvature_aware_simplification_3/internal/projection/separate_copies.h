@@ -25,9 +25,8 @@ namespace internal {
 
 // Whether a sample is at the place of a neighbor before it: two that come to the same gap of a
 // curve, or stop at the same end of it, from which no direction leads away.
-template <typename Neighbors>
-bool is_copy_of_neighbor(const std::vector<Surface_sample>& samples, std::size_t i,
-                         const Neighbors& neighbors)
+inline bool is_copy_of_neighbor(const std::vector<Surface_sample>& samples, std::size_t i,
+                                const Neighbor_indices& neighbors)
 {
   // In spacings: of copies on curves, nine of ten are within 1e-6, the others within 1e-3; of
   // random points on a sphere, no two samples are within 0.01.

@@ -22,6 +22,9 @@ namespace CGAL {
 namespace Curvature_aware_simplification_3 {
 namespace internal {
 
+// The neighbors of one sample among all
+using Neighbor_indices = Iterator_range<const std::size_t*>;
+
 // The nearest other samples of each sample. They are kept while samples move little, as in the
 // neighbor lists of molecular dynamics: to search anew in each iteration would take most of its
 // time.
@@ -79,7 +82,7 @@ public:
     });
   }
 
-  Iterator_range<const std::size_t*> of(std::size_t sample) const
+  Neighbor_indices of(std::size_t sample) const
   {
     const std::size_t* first = m_indices.data() + sample * m_number;
     return make_range(first, first + m_number);
@@ -91,6 +94,12 @@ private:
   std::size_t m_number = 0; // for each sample
   Uninitialized_vector<std::size_t> m_indices;
 };
+
+// The first ones, at most so many: the nearest if they are in the order of their distances
+inline Neighbor_indices first_of(const Neighbor_indices& neighbors, std::size_t most)
+{
+  return make_range(neighbors.begin(), neighbors.begin() + (std::min)(most, neighbors.size()));
+}
 
 } // namespace internal
 } // namespace Curvature_aware_simplification_3

@@ -30,11 +30,10 @@ namespace internal {
 // exp(-1.5 rho^2), that of the paper for h = 3.3 spacings, and ends at two spacings, the second
 // ring. phi_2 = s_i^2: where n phi_2 is the same everywhere, the forces balance, so the density n
 // of the samples tends to what is wanted, 1 / s^2; it falls with the curvature as in eq. 3 and 4.
-template <typename Neighbors>
-Vector tangential_repulsion(const Surface_sample& x, const Neighbors& neighbors,
-                            const std::vector<Point>& points,
-                            const std::vector<double>& squared_spacings,
-                            const Adaptive_settings& settings)
+inline Vector tangential_repulsion(const Surface_sample& x, const Neighbor_indices& neighbors,
+                                   const std::vector<Point>& points,
+                                   const std::vector<double>& squared_spacings,
+                                   const Adaptive_settings& settings)
 {
   const Vector normal = x.normal();
   const double inverse = 1. / (x.spacing * x.spacing);
