@@ -89,9 +89,9 @@ Surface_points without_outliers(Searchable_points cloud, const Parameters& param
                                                progress.part(0.8, 1.));
   progress.report(1.);
   report.number_of_outliers = places - cloud.size();
-  report.outliers_time = stopwatch.lap();
   const double density = even_density<ConcurrencyTag>(shared.features.inverse_density,
                                                       number_of_samples, settings.densest);
+  report.outliers_time = stopwatch.lap();
   return {std::move(cloud), std::move(shared.features), density, is_more_than_a_few(found, places)};
 }
 
@@ -156,7 +156,7 @@ Scan clean_scan(Searchable_points cloud, const Frame& frame, const Parameters& p
 
   Surface_points points = without_outliers<ConcurrencyTag, DiagonalizeTraits>(
       std::move(cloud), parameters, settings, progress.part(0.1, 0.7), report);
-  stopwatch.lap();
+  stopwatch.lap(); // reported there
 
   Noise_levels noise = noise_of_enough_points<ConcurrencyTag, DiagonalizeTraits>(
       points, depth_levels, parameters, settings, progress.part(0.7, 0.75));

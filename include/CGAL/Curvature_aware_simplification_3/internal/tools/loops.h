@@ -21,25 +21,50 @@ namespace CGAL {
 namespace Curvature_aware_simplification_3 {
 namespace internal {
 
+// A loop over a range of indices, whatever its kernel: a compiler has to make one parallel loop and
+// not one for each kernel, which saves a quarter of its time. Refers to the kernel.
+class Index_loop
+{
+public:
+  template <typename Kernel>
+  explicit Index_loop(const Kernel& kernel)
+    : m_kernel(&kernel), m_run([](const void* any, std::size_t begin, std::size_t end) {
+        const Kernel& kernel_of_type = *static_cast<const Kernel*>(any);
+        for (std::size_t i = begin; i < end; ++i)
+          kernel_of_type(i);
+      })
+  {}
+
+  void operator()(std::size_t begin, std::size_t end) const { m_run(m_kernel, begin, end); }
+
+private:
+  const void* m_kernel;
+  void (*m_run)(const void*, std::size_t, std::size_t);
+};
+
+// loop(first, last) for ranges that make up [begin, end)
+template <typename ConcurrencyTag>
+void run_in_parts(std::size_t begin, std::size_t end, const Index_loop& loop)
+{
+  using Iterator = boost::counting_iterator<std::size_t>;
+  // A thousand parts are enough for many threads to share.
+  const std::size_t size = end - begin;
+  const std::size_t step = (std::min)(size / 1024 + 1, std::size_t(64));
+  CGAL::for_each<ConcurrencyTag>(CGAL::make_range(Iterator(0), Iterator((size + step - 1) / step)),
+                                 [&](const std::size_t& part) -> bool {
+                                   loop(begin + part * step,
+                                        (std::min)(end, begin + (part + 1) * step));
+                                   return true;
+                                 });
+}
+
 // kernel(i) for all i in [begin, end). The kernel writes only what belongs to i, or adds to atomic
 // integers, whose sums do not depend on the order, so that the result depends neither on the tag
 // nor on the number of threads.
 template <typename ConcurrencyTag, typename Kernel>
 void for_each_index(std::size_t begin, std::size_t end, const Kernel& kernel)
 {
-  using Iterator = boost::counting_iterator<std::size_t>;
-  // Some indices at a time: CGAL::for_each calls what it is given through a std::function, which
-  // takes as long as a short kernel. A thousand steps are enough for many threads to share.
-  const std::size_t size = end - begin;
-  const std::size_t step = (std::min)(size / 1024 + 1, std::size_t(64));
-  CGAL::for_each<ConcurrencyTag>(CGAL::make_range(Iterator(0), Iterator((size + step - 1) / step)),
-                                 [&](const std::size_t& block) -> bool {
-                                   const std::size_t last =
-                                       (std::min)(end, begin + (block + 1) * step);
-                                   for (std::size_t i = begin + block * step; i < last; ++i)
-                                     kernel(i);
-                                   return true;
-                                 });
+  run_in_parts<ConcurrencyTag>(begin, end, Index_loop(kernel));
 }
 
 // The same over [0, size), with progress reported between blocks. 20 blocks are often enough for a
