@@ -47,7 +47,11 @@ input:
 -# If no more than three points and one in 1000 were found to be outliers, copies counted once,
    samples whose fits miss the nearest points, as on thin parts, by more than noise explains move to
    these. Samples next to a sharp edge are moved onto it, and those next to a corner of the border of an
-   open surface into the corner. Of samples that came to the same place, all but one go to where none is.
+   open surface into the corner. Where no noise is visible, samples that ended far from all points of the
+   input go to the nearest one. Of samples that came to the same place, all but one go to where none is.
+-# If no noise is visible and no more than those few outliers were found, a share of up to
+   \f$0.045 \alpha\f$ of the \f$N\f$ samples was kept back, and is put last where a mesh of the others
+   misses most of the input: at tips and on narrow ridges.
 
 Fewer than 57 distinct points, outliers not counted, are too few to fit a surface to. Some of these are
 selected evenly along the space-filling curve and none is moved any more; of the parameters, only the
@@ -104,8 +108,9 @@ the radius \f$h\f$, the time is \f$O(M (\log M + k) + i N (\log M + n))\f$, with
 
 \param points input point range, neither changed nor reordered
 \param output iterator where the output points are put, exactly as many as asked for. Their order is
-       that of a space-filling curve through the selected points. All of `points` is read before the first of
-       them is put, so that they may be appended to the container of the input.
+       that of a space-filling curve through the selected points; those that are put where a mesh of the others
+       misses most come last. All of `points` is read before the first of them is put, so that they may be
+       appended to the container of the input.
 \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed
        below
 

@@ -8,7 +8,7 @@
 
 #include <CGAL/Curvature_aware_simplification_3/internal/features/features.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/input/Cloud.h>
-#include <CGAL/Curvature_aware_simplification_3/internal/input/input.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/input/read_cloud.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/parameters/read_parameters.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/tools/Progress.h>
 

@@ -6,7 +6,7 @@
 #include <CGAL/Curvature_aware_simplification_3/internal/input/Frame.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/input/box_of_most_points.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/input/check_that_all_are_measurements.h>
-#include <CGAL/Curvature_aware_simplification_3/internal/input/equal_points.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/input/find_duplicates.h>
 
 #include <gtest/gtest.h>
 

@@ -11,7 +11,6 @@
 #include <CGAL/Curvature_aware_simplification_3/internal/tools/Uninitialized_vector.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/tools/lattice_spacing.h>
 
-#include <cstddef>
 #include <vector>
 
 namespace CGAL {

@@ -15,11 +15,12 @@
 #include <CGAL/Curvature_aware_simplification_3/internal/features/shared_features.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/features/thick_and_sparse.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/fitting/Surface_fit.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/input/Frame.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/input/Searchable_points.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/noise/Noise_levels.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/noise/Noise_probes.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/noise/bent_points.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/noise/noise_of_scan.h>
-#include <CGAL/Curvature_aware_simplification_3/internal/outliers/find_outliers.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/outliers/leave_out_outliers.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/parameters/Adaptive_settings.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/parameters/Parameters.h>
@@ -28,7 +29,6 @@
 #include <CGAL/Curvature_aware_simplification_3/internal/tools/Flags.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/tools/Progress.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/tools/Stopwatch.h>
-#include <CGAL/Curvature_aware_simplification_3/internal/tools/Uninitialized_vector.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/tools/index_selection.h>
 
 #include <CGAL/Curvature_aware_simplification_report.h>

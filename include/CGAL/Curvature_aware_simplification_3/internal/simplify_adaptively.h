@@ -69,7 +69,7 @@ Distinct_samples simplify_adaptively(Cloud cloud, const Parameters& parameters,
   if (cloud.size() < fewest_points_to_fit)
     return select_without_moving<ConcurrencyTag>(cloud.points, parameters);
   const Frame frame = cloud.frame;
-  Searchable_points distinct = without_positions(std::move(cloud)); // a statement, which frees them
+  Searchable_points distinct = without_positions(std::move(cloud)); // whose end frees them
   Scan scan = clean_scan<ConcurrencyTag, DiagonalizeTraits>(
       std::move(distinct), frame, parameters, settings, progress.part(0., 0.4), report);
   report.output_spacing = frame.length_from_frame(scan.spacing());

@@ -7,7 +7,7 @@
 #define CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_SIMPLIFY_POINT_SET_H
 
 #include <CGAL/Curvature_aware_simplification_3/internal/input/Cloud.h>
-#include <CGAL/Curvature_aware_simplification_3/internal/input/input.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/input/read_cloud.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/paper/simplify_as_in_the_paper.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/parameters/Adaptive_settings.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/parameters/read_parameters.h>

@@ -75,8 +75,9 @@ inline bool fill_volumes(const std::vector<std::vector<double>>& distances, doub
 // Where copies are within r, the next places are beyond gap * r.
 inline double gap_around_copies(const std::vector<std::vector<double>>& distances, double r)
 {
-  // Small parts that are far from each other, as blades of grass and pieces of scan lines, are
-  // curves or surfaces, and no copies. With 5, tubes of CAD models whose vertices are in rings,
+  // Copies fill volumes, and twice the distance is far enough then. Small parts that are far from
+  // each other, as blades of grass and pieces of scan lines, are curves or surfaces. With 5, tubes
+  // of CAD models whose vertices are in rings,
   // five of their radii apart, would be taken for copies.
   return fill_volumes(distances, r) ? 2. : 10.;
 }

@@ -61,8 +61,7 @@ inline Merged_point merged_point(std::size_t i, const Searchable_points& cloud,
   return {is_lowest, place + sum / static_cast<double>(number)};
 }
 
-// Leaves one point for all copies of a place, and returns how many points are less. The indices in
-// the cloud are dropped before.
+// Leaves one point for all copies of a place, and returns by how many the points are fewer.
 //
 // Small parts that are far from each other look like copies: at least as many are left as there are
 // samples, since each needs a point to start from, and enough to fit surfaces to.

@@ -10,7 +10,7 @@
 #include <CGAL/Curvature_aware_simplification_3/internal/density/Surface_balls.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/density/mean_over_balls.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/density/surface_pieces.h>
-#include <CGAL/Curvature_aware_simplification_3/internal/noise/Noise_levels.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/fitting/Noise.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/parameters/Adaptive_settings.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/tools/Curve_ranges.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/tools/Progress.h>
@@ -129,6 +129,7 @@ Surface_curvature surface_curvature(const Scan& scan, std::size_t number_of_samp
     for (std::size_t piece = pieces_in_range * i; piece < pieces_in_range * (i + 1); ++piece)
       result.area[i] += pieces[piece].area;
     const double in_range = static_cast<double>(pieces_in_range);
+    // In less than 3 sigma, noise makes a layer look like a volume.
     const std::size_t wanted =
         pieces_in_ball((std::max)(radius, 3. * noise_of_range[i]->level), result.area[i] / in_range,
                        static_cast<double>(ranges.size(i)) / in_range);

@@ -9,7 +9,6 @@
 #include <CGAL/Curvature_aware_simplification_3/internal/depth/Depth_levels.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/depth/Depth_view.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/depth/Facet.h>
-#include <CGAL/Curvature_aware_simplification_3/internal/tools/Flags.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/tools/Neighbor_search.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/tools/loops.h>
 
@@ -49,8 +48,8 @@ struct Crossings
 // Of a facet of one view. Levels of others count with four points in a ball with the radius of a
 // step, two of them on either side.
 inline Crossings crossings_at(const Facet& facet, std::size_t view,
-                              const std::vector<Depth_levels>& levels, const Flags& view_of_point,
-                              const Neighbor_search& search)
+                              const std::vector<Depth_levels>& levels,
+                              const Views_of_points& view_of_point, const Neighbor_search& search)
 {
   constexpr double radius_in_steps = 1.;
   constexpr std::size_t enough_on_side = 2;
@@ -90,8 +89,8 @@ inline Crossings crossings_at(const Facet& facet, std::size_t view,
 // Of some facets of one view that are on its levels
 template <typename ConcurrencyTag>
 Crossings crossings_of(std::size_t view, const std::vector<Facet>& facets,
-                       const std::vector<Depth_levels>& levels, const Flags& view_of_point,
-                       const Neighbor_search& search)
+                       const std::vector<Depth_levels>& levels,
+                       const Views_of_points& view_of_point, const Neighbor_search& search)
 {
   std::vector<Crossings> at(facets.size());
   for_each_index<ConcurrencyTag>(0, facets.size(), [&](std::size_t i) {

@@ -68,12 +68,9 @@ inline double step_at(const Point& p, const std::vector<Depth_levels>& cameras)
 template <typename ConcurrencyTag>
 double typical_step(const std::vector<Point>& points, const std::vector<Depth_levels>& cameras)
 {
-  constexpr std::size_t enough = 1000;
-  return cameras.empty()
-             ? 0.
-             : median_of_some<ConcurrencyTag>(points.size(), enough, [&](std::size_t i) {
-                 return step_at(points[i], cameras);
-               });
+  return cameras.empty() ? 0. : median_of_some<ConcurrencyTag>(points.size(), [&](std::size_t i) {
+    return step_at(points[i], cameras);
+  });
 }
 
 // Steps that are much larger than those around are no rounding: there, the depth jumps from one

@@ -8,12 +8,10 @@
 
 #include <CGAL/Curvature_aware_simplification_3/internal/depth/Depth_levels.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/input/Searchable_points.h>
-#include <CGAL/Curvature_aware_simplification_3/internal/tools/Flags.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/tools/index_selection.h>
 
 #include <cstddef>
 #include <cstdint>
-#include <memory>
 #include <vector>
 
 namespace CGAL {
@@ -31,11 +29,12 @@ struct Depth_view : Searchable_points
 // a scan of 6,556 points was not recognized, which are too few for more.
 inline constexpr std::size_t fewest_levels_of_view = 6;
 
-// For flags that tell the view that a point is in
+// Of each point, the index of the view that it is in
+using Views_of_points = std::vector<std::uint8_t>;
 inline constexpr std::uint8_t in_no_view = 0xff;
 
 template <typename ConcurrencyTag>
-std::vector<std::size_t> indices_of(std::size_t view, const Flags& view_of_point)
+std::vector<std::size_t> indices_of(std::size_t view, const Views_of_points& view_of_point)
 {
   return indices_where<ConcurrencyTag>(view_of_point.size(),
                                        [&](std::size_t i) { return view_of_point[i] == view; });

@@ -27,6 +27,9 @@ namespace CGAL {
 namespace Curvature_aware_simplification_3 {
 namespace internal {
 
+// The cosine of 10 degrees: two planes with a smaller angle face the same direction.
+inline constexpr double cosine_of_faces = 0.985;
+
 // A few neighbors of a point, and their plane
 struct Facet
 {
@@ -44,15 +47,16 @@ inline Facet facet_around(const Neighbor_search& search, const Point& place)
   constexpr std::size_t few = 5; // more than are on a line by chance
   static thread_local Neighborhood neighborhood;
   neighborhood.collect(search, place, k);
-  const Eigen::Vector3d lambda = eigenvalues(covariance_sums(neighborhood));
+  const Principal_axes axes(covariance_sums(neighborhood));
+  const Eigen::Vector3d variances = axes.variances();
   Facet facet;
   facet.point = place;
-  facet.normal = plane_normal(neighborhood);
-  facet.thickness = std::sqrt((std::max)(lambda(0), 0.));
+  facet.normal = axes.axis(0);
+  facet.thickness = std::sqrt(variances(0));
   facet.radius = neighborhood.radius;
   facet.spacing = facet.radius * std::sqrt(CGAL_PI / static_cast<double>(k));
   // On no line of a scan, nor on two: then, the few next to the place are on one.
-  facet.is_broad = are_broad(radius_of_disk(lambda(1)), radius_of_disk(lambda(2))) &&
+  facet.is_broad = are_broad(radius_of_disk(variances(1)), radius_of_disk(variances(2))) &&
                    !are_on_line(search, place, few);
   return facet;
 }

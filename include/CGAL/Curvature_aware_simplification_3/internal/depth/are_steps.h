@@ -36,9 +36,9 @@ inline bool is_on_steps(const Facet& facet, const Depth_levels& levels,
   // smoothed as noise. Of larger ones, too few levels are left to tell the surface between them.
   constexpr double smallest = 1.2, largest = 10.; // in spacings of the points
   constexpr double radius = 3.;                   // in steps: a ball of that radius holds several
-  // The cosines of 80 degrees and of 10: no walls, whose points may be in rows, and no faces, of
-  // which a ball holds one step.
-  constexpr double wall = 0.17, face = 0.985;
+  // The cosine of 80 degrees: no walls, whose points may be in rows. Nor are they faces, of which a
+  // ball holds one step.
+  constexpr double wall = 0.17;
 
   const std::size_t level = levels.level_of(levels.height(facet.point));
   if (level == levels.heights.size())
@@ -51,13 +51,14 @@ inline bool is_on_steps(const Facet& facet, const Depth_levels& levels,
   // as many as in the ball, if the points are there as dense as here
   const double relative_radius = radius * step / facet.spacing;
   const double in_ball = CGAL_PI * relative_radius * relative_radius;
-  static thread_local Neighborhood neighborhood;
+  Neighborhood neighborhood;
   neighborhood.collect(search, facet.point, static_cast<std::size_t>(in_ball));
   const double cosine = std::abs(plane_normal(neighborhood) * levels.direction);
-  return wall < cosine && cosine < face;
+  return wall < cosine && cosine < cosine_of_faces;
 }
 
-// Whether the levels are steps of the surface that most of these facets are on
+// Whether the levels are steps of the surface: a quarter of the facets at least are on steps.
+// Others are on walls and faces, and where steps are too small or too large.
 template <typename ConcurrencyTag>
 bool are_steps(const Depth_levels& levels, const std::vector<Facet>& facets,
                const Neighbor_search& search)

@@ -28,15 +28,14 @@ inline bool are_oblique(const std::vector<Facet>& facets, const Vector& normal, 
 {
   constexpr std::size_t points_of_surface = 256;
   constexpr std::size_t most = 16; // are looked at
-  constexpr double face = 0.985;   // the cosine of 10 degrees
-  static thread_local Neighborhood neighborhood;
+  Neighborhood neighborhood;
   std::size_t number = 0, oblique = 0;
   for (const Facet& facet : facets)
     if (number < most && is_flat(facet, tolerance) && has_normal(facet, normal, tolerance))
     {
       neighborhood.collect(search, facet.point, points_of_surface);
       ++number;
-      if (std::abs(plane_normal(neighborhood) * normal) < face)
+      if (std::abs(plane_normal(neighborhood) * normal) < cosine_of_faces)
         ++oblique;
     }
   return 3 * oblique > number;

@@ -10,15 +10,14 @@
 #include <CGAL/Curvature_aware_simplification_3/internal/depth/Depth_levels.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/depth/Depth_view.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/depth/Facet.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/depth/add_steep_levels.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/depth/are_steps.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/depth/levels_of_cameras.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/fitting/Surface_fit.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/input/Searchable_points.h>
-#include <CGAL/Curvature_aware_simplification_3/internal/tools/Flags.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/tools/index_selection.h>
 
 #include <cstddef>
-#include <memory>
 #include <utility>
 #include <vector>
 
@@ -38,7 +37,7 @@ std::vector<Depth_view> find_depth_views(const Searchable_points& cloud,
     return views;
   add_steep_levels<ConcurrencyTag>(levels, cloud.points,
                                    tolerance_of_rounding(cloud.coordinate_error));
-  const Flags view_of_point = views_of_points<ConcurrencyTag>(cloud.points, levels);
+  const Views_of_points view_of_point = views_of_points<ConcurrencyTag>(cloud.points, levels);
 
   std::size_t in_views = 0;
   Crossings crossings;

@@ -12,15 +12,15 @@
 #include <CGAL/Curvature_aware_simplification_3/internal/depth/directions_of_cameras.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/fitting/principal_axes.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/input/Searchable_points.h>
-#include <CGAL/Curvature_aware_simplification_3/internal/tools/Flags.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/tools/index_selection.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/tools/loops.h>
+
+#include <CGAL/assertions.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <iterator>
 #include <limits>
 #include <vector>
 
@@ -32,17 +32,24 @@ namespace internal {
 // of the camera that saw it. The levels of one do not show in the heights of all points, since
 // those of the others are at any height: but in those of facets that face the camera.
 
-// Of each point, the direction that the facet around it faces, if it is flat. O(log n) for each
+// Of each point, the direction that the facet around it faces, if it is flat; of several directions
+// within the tolerance, the one of most facets. O(log n) for each
 template <typename ConcurrencyTag>
-Flags directions_of_facets(const Searchable_points& cloud, const std::vector<Vector>& directions,
-                           double tolerance)
+Views_of_points directions_of_facets(const Searchable_points& cloud,
+                                     const std::vector<Vector>& directions, double tolerance)
 {
-  Flags result(cloud.size(), in_no_view);
+  CGAL_assertion(directions.size() <= in_no_view);
+  Views_of_points result(cloud.size(), in_no_view);
   for_each_index<ConcurrencyTag>(0, cloud.size(), [&](std::size_t i) {
     const Facet facet = facet_around(*cloud.search, cloud.points[i]);
-    for (std::size_t d = 0; d < directions.size() && is_flat(facet, tolerance); ++d)
-      if (has_normal(facet, directions[d], tolerance))
-        result[i] = static_cast<std::uint8_t>(d);
+    if (!is_flat(facet, tolerance))
+      return;
+    const auto faced =
+        std::find_if(directions.begin(), directions.end(), [&](const Vector& direction) {
+          return has_normal(facet, direction, tolerance);
+        });
+    if (faced != directions.end())
+      result[i] = static_cast<std::uint8_t>(faced - directions.begin());
   });
   return result;
 }
@@ -53,7 +60,7 @@ std::vector<Depth_levels> levels_of_facets(const Searchable_points& cloud,
                                            const std::vector<Vector>& directions, double tolerance)
 {
   std::vector<Depth_levels> result;
-  const Flags faced = directions_of_facets<ConcurrencyTag>(cloud, directions, tolerance);
+  const Views_of_points faced = directions_of_facets<ConcurrencyTag>(cloud, directions, tolerance);
   for (std::size_t d = 0; d < directions.size(); ++d)
   {
     const Depth_levels levels = levels_along<ConcurrencyTag>(
@@ -68,9 +75,10 @@ std::vector<Depth_levels> levels_of_facets(const Searchable_points& cloud,
 // The view of each point: that which has a level nearest to it. It is exactly on one of its own,
 // and within the tolerance of one of another camera by chance.
 template <typename ConcurrencyTag>
-Flags views_of_points(const std::vector<Point>& points, const std::vector<Depth_levels>& levels)
+Views_of_points views_of_points(const std::vector<Point>& points,
+                                const std::vector<Depth_levels>& levels)
 {
-  Flags result(points.size(), in_no_view);
+  Views_of_points result(points.size(), in_no_view);
   for_each_index<ConcurrencyTag>(0, points.size(), [&](std::size_t i) {
     double least = (std::numeric_limits<double>::infinity)();
     for (std::size_t view = 0; view < levels.size(); ++view)
@@ -115,7 +123,7 @@ template <typename ConcurrencyTag>
 std::vector<Depth_levels> levels_of_cameras(const Searchable_points& cloud,
                                             const std::vector<Facet>& facets, double tolerance)
 {
-  constexpr std::size_t most = 64; // more than there will be, and indices of views are bytes
+  constexpr std::size_t most = 64; // more than there will be; indices of views are bytes
   const std::vector<Vector> directions = directions_of_cameras(facets, tolerance, *cloud.search);
   if (directions.size() < 2) // one is found by the heights of all points
     return {};
@@ -134,51 +142,10 @@ std::vector<Depth_levels> levels_of_cameras(const Searchable_points& cloud,
     const std::vector<Vector> more =
         directions_of_cameras(some_facets<ConcurrencyTag>(rest), tolerance, *rest.search);
     for (const Depth_levels& levels : levels_of_facets<ConcurrencyTag>(rest, more, tolerance))
-      add_camera(result, levels);
+      if (result.size() < most)
+        add_camera(result, levels);
   }
   return result;
-}
-
-// Whether a height is on no level, but next to one by clearly less than a step, or than half of one
-// where every other level is known
-inline bool is_between_steps(const Depth_levels& levels, double height)
-{
-  const auto above = std::lower_bound(levels.heights.begin(), levels.heights.end(), height);
-  constexpr double too_near = 0.4; // of a step
-  const auto is_near = [&](double level) {
-    const double distance = std::abs(height - level);
-    return distance > levels.tolerance && distance < too_near * levels.step_at(level);
-  };
-  return (above != levels.heights.end() && is_near(*above)) ||
-         (above != levels.heights.begin() && is_near(*std::prev(above)));
-}
-
-// Levels that no facet has shown, as where a surface is steep, are added: each camera has those of
-// its points together with the points that are on no level, and not between its steps.
-template <typename ConcurrencyTag>
-void add_steep_levels(std::vector<Depth_levels>& levels, const std::vector<Point>& points,
-                      double least_tolerance)
-{
-  // The others are at any height. One of twenty has another so near to it by chance, and eight in a
-  // row hardly ever are. But where pixels are in rows, so are these.
-  constexpr double by_chance = 0.05;
-  const Flags view_of_point = views_of_points<ConcurrencyTag>(points, levels);
-  const std::size_t others = indices_of<ConcurrencyTag>(in_no_view, view_of_point).size();
-  for (std::size_t view = 0; view < levels.size() && others > 0; ++view)
-  {
-    const Depth_levels known = levels[view];
-    const std::vector<std::size_t> indices =
-        indices_where<ConcurrencyTag>(points.size(), [&](std::size_t i) {
-          return view_of_point[i] == view || (view_of_point[i] == in_no_view &&
-                                              !is_between_steps(known, known.height(points[i])));
-        });
-    const double range = known.heights.back() - known.heights.front();
-    const double chance = by_chance * range / static_cast<double>(others);
-    levels[view] = levels_along<ConcurrencyTag>(
-        known.direction, (std::clamp)(chance, least_tolerance, known.tolerance),
-        elements_at<ConcurrencyTag>(indices, points));
-    levels[view].tolerance = known.tolerance;
-  }
 }
 
 } // namespace internal

@@ -17,7 +17,6 @@
 #include <array>
 #include <cstddef>
 #include <limits>
-#include <vector>
 
 namespace CGAL {
 namespace Curvature_aware_simplification_3 {
@@ -148,16 +147,6 @@ double largest_surface_variation(const Features& features)
       features.surface_variation.size(), 0.,
       [&](std::size_t i) { return features.surface_variation[i]; },
       [](double a, double b) { return (std::max)(a, b); });
-}
-
-// The factor that takes kappa to [0, 20] (paper, sec. 4.2); 0 where kappa vanishes everywhere.
-// The lower end of the scale is kappa = 0 and not the smallest kappa: otherwise a sphere's kappa,
-// equal up to noise, would spread over the whole range.
-template <typename ConcurrencyTag>
-double curvature_scale(const Features& features, double maximum_scaled_curvature)
-{
-  const double maximum = largest_surface_variation<ConcurrencyTag>(features);
-  return maximum > 0. ? maximum_scaled_curvature / maximum : 0.;
 }
 
 } // namespace internal

@@ -11,7 +11,6 @@
 #include <CGAL/Curvature_aware_simplification_3/internal/tools/median_of_some.h>
 
 #include <cstddef>
-#include <vector>
 
 namespace CGAL {
 namespace Curvature_aware_simplification_3 {
@@ -50,8 +49,9 @@ struct Sparseness
 
 inline Sparseness sparseness_of(const Uninitialized_vector<double>& inverse_density)
 {
+  constexpr std::size_t many = 10000; // all limits for far points follow from it: 0.5 % of rank
   const double median = median_of_some<Sequential_tag>(
-      inverse_density.size(), 10000, [&](std::size_t i) { return inverse_density[i]; });
+      inverse_density.size(), [&](std::size_t i) { return inverse_density[i]; }, many);
   return {3. * 3. * median, 2. * 2. * median};
 }
 

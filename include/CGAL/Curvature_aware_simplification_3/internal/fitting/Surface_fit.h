@@ -57,6 +57,8 @@ inline constexpr std::size_t fewest_points_to_fit = 3 * smallest_neighborhood;
 inline constexpr std::size_t largest_neighborhood = 16 * 18 + 1;
 // Where a ball surely holds more than are taken, it does not matter how many more.
 inline constexpr double too_many_neighbors = 2. * largest_neighborhood;
+static_assert(Adaptive_settings().points_of_widest_fit == 2 * largest_neighborhood,
+              "the widest fit has twice the points of the largest neighborhood");
 // In units of sigma. In a ball of that radius, the layer of noisy points looks flat; in a much
 // smaller one it looks as thick as wide and has no normal.
 inline constexpr double smallest_radius_in_noise = 7.;

@@ -25,8 +25,8 @@ inline bool are_on_line(const Neighbor_search& search, const Point& place, std::
 {
   static thread_local Neighborhood neighborhood;
   neighborhood.collect(search, place, few);
-  const Eigen::Vector3d lambda = eigenvalues(covariance_sums(neighborhood));
-  return std::sqrt((std::max)(lambda(1), 0.) / lambda(2)) < least_breadth;
+  const Eigen::Vector3d variances = principal_variances(covariance_sums(neighborhood));
+  return std::sqrt(variances(1) / variances(2)) < least_breadth;
 }
 
 } // namespace internal

@@ -74,8 +74,9 @@ inline void weight_for_quadric(Center center, Neighborhood& neighborhood)
 }
 
 // The first fit is a plane. The ball may reach another sheet, which the next rounds then leave out:
-// inner neighbors decide, unless the ball is as narrow as the noise allows, or they may be on one
-// line, for which more were asked for. Then all are needed to tell the normal.
+// inner neighbors decide, with the cubes of their weights, which are about those of a ball that is
+// narrower by sqrt(3). Not so where the ball is as narrow as the noise allows, or neighbors may
+// be on one line, for which more were asked for: then all are needed to tell the normal.
 inline void weight_for_plane(const Surface_fit& fit, Center center, std::size_t smallest,
                              Neighborhood& neighborhood)
 {
@@ -104,9 +105,7 @@ inline void reweight_and_fit(const Surface_fit& fit, Center center, int rounds,
     if (!(surface.spread > 0.))
       return;
     weight_for_quadric(center, neighborhood);
-    const Robust_weight weight(surface.spread);
-    for (std::size_t i = 0; i < residuals.size(); ++i)
-      neighborhood.neighbors[i].weight *= weight(residuals[i]);
+    reduce_weights(residuals, Robust_weight(surface.spread), neighborhood);
     if (!fit_trusted_quadric(fit, neighborhood, surface))
       return;
     if (!fit.noise.is_visible)

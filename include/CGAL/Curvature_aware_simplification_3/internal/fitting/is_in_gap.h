@@ -20,6 +20,10 @@ struct Points_around
   double squared_radius;
   double number;
 
+  Points_around(double radius, std::size_t number_of_points)
+    : squared_radius(radius * radius), number(static_cast<double>(number_of_points))
+  {}
+
   // the squared radius of a disk on the surface in which that many points are expected
   double squared_radius_of(double points) const { return points / number * squared_radius; }
 };
@@ -49,8 +53,7 @@ inline bool is_in_gap(const Surface_fit& fit, const Point& x, const Point& neare
   // nearest point, which is on the border of the gap, is low by half at most.
   static thread_local Neighborhood around_nearest;
   around_nearest.collect(fit.search, nearest, smallest_neighborhood);
-  const Points_around denser{around_nearest.radius * around_nearest.radius,
-                             static_cast<double>(around_nearest.size())};
+  const Points_around denser(around_nearest.radius, around_nearest.size());
   return squared_distance_along > denser.squared_radius_of(points_in_gap / 2.);
 }
 

@@ -11,7 +11,6 @@
 #include <CGAL/Curvature_aware_simplification_3/internal/fitting/Parabola_sums.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/fitting/Surface_fit.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/fitting/fit_quadric.h>
-#include <CGAL/Curvature_aware_simplification_3/internal/fitting/fit_to_neighbors.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/fitting/principal_axes.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/tools/Neighbor_search.h>
 

@@ -19,29 +19,36 @@ namespace CGAL {
 namespace Curvature_aware_simplification_3 {
 namespace internal {
 
-inline Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen_solver(const Covariance_sums& sums,
-                                                                   int options)
+// The directions in which weighted points are spread least (0) to most (2), and their variances
+// along these: the eigenvectors and eigenvalues of their covariance matrix
+class Principal_axes
 {
-  Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver;
-  solver.computeDirect(symmetric_matrix(sums.covariance()), options);
-  return solver;
-}
+public:
+  explicit Principal_axes(const Covariance_sums& sums, int options = Eigen::ComputeEigenvectors)
+  {
+    m_solver.computeDirect(symmetric_matrix(sums.covariance()), options);
+  }
 
-// The eigenvalues of the covariance matrix, in increasing order
-inline Eigen::Vector3d eigenvalues(const Covariance_sums& sums)
-{
-  return eigen_solver(sums, Eigen::EigenvaluesOnly).eigenvalues();
-}
+  // in increasing order; rounding makes none negative
+  Eigen::Vector3d variances() const { return m_solver.eigenvalues().cwiseMax(0.); }
 
-// The direction in which weighted points are spread least (0) or most (2)
-inline Vector principal_axis(const Covariance_sums& sums, int which)
+  Vector axis(int which) const
+  {
+    const Eigen::Vector3d axis = m_solver.eigenvectors().col(which);
+    const double length = axis.norm();
+    // the closed formula fails where all neighbors coincide: any direction is as good then
+    return length > 0.5 ? Vector(axis.x() / length, axis.y() / length, axis.z() / length)
+                        : Vector(0., 0., 1.);
+  }
+
+private:
+  Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> m_solver;
+};
+
+// The variances alone, which takes less time
+inline Eigen::Vector3d principal_variances(const Covariance_sums& sums)
 {
-  const Eigen::Vector3d axis =
-      eigen_solver(sums, Eigen::ComputeEigenvectors).eigenvectors().col(which);
-  const double length = axis.norm();
-  // the closed formula fails where all neighbors coincide: any direction is as good then
-  return length > 0.5 ? Vector(axis.x() / length, axis.y() / length, axis.z() / length)
-                      : Vector(0., 0., 1.);
+  return Principal_axes(sums, Eigen::EigenvaluesOnly).variances();
 }
 
 inline Covariance_sums covariance_sums(const Neighborhood& neighborhood)
@@ -55,7 +62,7 @@ inline Covariance_sums covariance_sums(const Neighborhood& neighborhood)
 // The normal of the weighted least-squares plane
 inline Vector plane_normal(const Neighborhood& neighborhood)
 {
-  return principal_axis(covariance_sums(neighborhood), 0);
+  return Principal_axes(covariance_sums(neighborhood)).axis(0);
 }
 
 // Of two unit vectors
@@ -67,13 +74,13 @@ inline double sine_of_angle(const Vector& u, const Vector& v)
 // The direction of the weighted least-squares line
 inline Vector line_direction(const Neighborhood& neighborhood)
 {
-  return principal_axis(covariance_sums(neighborhood), 2);
+  return Principal_axes(covariance_sums(neighborhood)).axis(2);
 }
 
-// An eigenvalue of the covariance matrix of a disk is a quarter of the square of its radius.
-inline double radius_of_disk(double lambda)
+// The variance of a disk along an axis in it is a quarter of the square of its radius.
+inline double radius_of_disk(double variance)
 {
-  return 2. * std::sqrt((std::max)(lambda, 0.));
+  return 2. * std::sqrt(variance);
 }
 
 // The width of points on a line is less than this part of their length. Of lines of a scan, 5 to 50

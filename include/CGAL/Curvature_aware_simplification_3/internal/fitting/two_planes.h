@@ -60,7 +60,7 @@ inline Local_plane fit_local_plane(const std::vector<Vector>& points)
   for (const Vector& p : points)
     sums.add(p);
   Local_plane plane;
-  plane.normal = principal_axis(sums, 0);
+  plane.normal = Principal_axes(sums).axis(0);
   plane.d = sums.mean() * plane.normal;
   return plane;
 }

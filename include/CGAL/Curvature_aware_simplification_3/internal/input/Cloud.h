@@ -10,7 +10,7 @@
 #include <CGAL/Curvature_aware_simplification_3/internal/input/Searchable_points.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/input/box_of_most_points.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/input/check_that_all_are_measurements.h>
-#include <CGAL/Curvature_aware_simplification_3/internal/input/equal_points.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/input/find_duplicates.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/tools/Computation_kernel.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/tools/Flags.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/tools/Progress.h>

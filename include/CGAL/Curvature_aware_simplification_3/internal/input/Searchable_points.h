@@ -17,12 +17,14 @@ namespace CGAL {
 namespace Curvature_aware_simplification_3 {
 namespace internal {
 
-// Points along a Hilbert curve, in the frame, and the search for neighbors among them
+// Points along a Hilbert curve, in the frame, and the search for neighbors among them, which has
+// copies of the points as they were when it was built. Its indices are those of `points`, until
+// some are hidden in it and left out of these.
 struct Searchable_points
 {
   std::vector<Point> points;
-  std::unique_ptr<Neighbor_search> search; // has copies of the points
-  double coordinate_error = 0.;            // of the points, from rounding in the input
+  std::unique_ptr<Neighbor_search> search;
+  double coordinate_error = 0.; // of the points, from rounding in the input
 
   std::size_t size() const { return points.size(); }
 

@@ -61,7 +61,7 @@ struct Layer_around_quadric
       sum += e * e;
       sum_of_fourth_powers += e * e * e * e;
     }
-    const Eigen::Vector3d lambda = eigenvalues(covariance_sums(neighborhood));
+    const Eigen::Vector3d variances = principal_variances(covariance_sums(neighborhood));
     const double n = static_cast<double>(neighborhood.size());
     const double kurtosis = sum > 0. ? n * (sum_of_fourth_powers / sum) / sum - 3. : 0.;
     const double half = neighborhood.radius * std::sqrt(sum / n) / 2.;
@@ -70,7 +70,7 @@ struct Layer_around_quadric
                                         return std::abs(surface.residual(neighbor.position)) < half;
                                       });
     return {neighborhood.radius * thickness(sum, neighborhood.size(), 6.),
-            radius_of_disk(lambda(1)), radius_of_disk(lambda(2)), kurtosis,
+            radius_of_disk(variances(1)), radius_of_disk(variances(2)), kurtosis,
             static_cast<double>(middle) / n};
   }
 };
@@ -82,10 +82,10 @@ struct Layer_around_plane
   {
     static thread_local Neighborhood neighborhood;
     neighborhood.collect(search, place, k);
-    const Eigen::Vector3d lambda = eigenvalues(covariance_sums(neighborhood));
+    const Eigen::Vector3d variances = principal_variances(covariance_sums(neighborhood));
     const std::size_t n = neighborhood.size();
-    return {thickness((std::max)(lambda(0), 0.) * static_cast<double>(n), n, 3.),
-            radius_of_disk(lambda(1)), radius_of_disk(lambda(2)), 0., 1.};
+    return {thickness(variances(0) * static_cast<double>(n), n, 3.), radius_of_disk(variances(1)),
+            radius_of_disk(variances(2)), 0., 1.};
   }
 };
 

@@ -68,12 +68,13 @@ struct Noise_levels
   }
 
   // Smoothing takes the points in a ball with a radius of 4 sigma. So that this ball holds several
-  // columns, where there are any, noise counts as a quarter of their radius at least.
+  // columns, where there are any, noise counts as that part of their radius at least.
   void widen_to_columns()
   {
     for (Noise& noise : of_range)
     {
-      noise.level = (std::max)(noise.level, noise.radius_of_columns / 4.);
+      noise.level =
+          (std::max)(noise.level, noise.radius_of_columns / largest_smoothing_radius_in_noise);
       noise.independent_level = (std::max)(noise.independent_level, noise.level);
     }
   }

@@ -116,6 +116,19 @@ auto at_probes(const Noise_probes& probes, const std::vector<std::size_t>& range
   return values;
 }
 
+// median_over(probes) of some ranges; those of others are left empty
+template <typename ConcurrencyTag, typename MedianOver>
+auto medians_of_ranges(const Noise_probes& probes, const std::vector<std::size_t>& ranges,
+                       const MedianOver& median_over)
+{
+  std::vector<std::decay_t<decltype(median_over(probes.of_range[0]))>> medians(
+      probes.of_range.size());
+  for_each_index<ConcurrencyTag>(0, ranges.size(), [&](std::size_t r) {
+    medians[ranges[r]] = median_over(probes.of_range[ranges[r]]);
+  });
+  return medians;
+}
+
 // The median layers of k points, of some ranges; those of others are left empty.
 // `layer_around(search, place, k)` is the layer at a probe.
 template <typename ConcurrencyTag, typename LayerAround>
@@ -125,16 +138,15 @@ std::vector<Layer> median_layers(const Noise_probes& probes, const std::vector<s
   const std::vector<Layer> layers = at_probes<ConcurrencyTag>(probes, ranges, [&](std::size_t i) {
     return layer_around(probes.search, probes.points[i], k);
   });
-  std::vector<Layer> medians(probes.of_range.size());
-  for_each_index<ConcurrencyTag>(0, ranges.size(), [&](std::size_t r) {
-    const std::vector<std::size_t>& of_range = probes.of_range[ranges[r]];
-    medians[ranges[r]] = {median_of(of_range, [&](std::size_t i) { return layers[i].thickness; }),
-                          median_of(of_range, [&](std::size_t i) { return layers[i].width; }),
-                          median_of(of_range, [&](std::size_t i) { return layers[i].length; }),
-                          median_of(of_range, [&](std::size_t i) { return layers[i].kurtosis; }),
-                          median_of(of_range, [&](std::size_t i) { return layers[i].middle; })};
-  });
-  return medians;
+  return medians_of_ranges<ConcurrencyTag>(
+      probes, ranges, [&](const std::vector<std::size_t>& of_range) {
+        const auto median_of_all = [&](double Layer::*value) {
+          return median_of(of_range, [&](std::size_t i) { return layers[i].*value; });
+        };
+        return Layer{median_of_all(&Layer::thickness), median_of_all(&Layer::width),
+                     median_of_all(&Layer::length), median_of_all(&Layer::kurtosis),
+                     median_of_all(&Layer::middle)};
+      });
 }
 
 } // namespace internal

@@ -30,7 +30,7 @@ inline constexpr double largest_tilt_of_planes = 0.6;
 inline double tilt_of_plane(const Neighbor_search& search, const Point& place, std::size_t few,
                             std::size_t many)
 {
-  static thread_local Neighborhood neighborhood;
+  Neighborhood neighborhood;
   neighborhood.collect(search, place, few);
   const Vector normal = plane_normal(neighborhood);
   neighborhood.collect(search, place, many);
@@ -46,10 +46,10 @@ std::vector<double> median_tilts(const Noise_probes& probes, const std::vector<s
   const std::vector<double> tilts = at_probes<ConcurrencyTag>(probes, ranges, [&](std::size_t i) {
     return tilt_of_plane(probes.search, probes.points[i], few, many);
   });
-  std::vector<double> medians(probes.of_range.size(), 0.);
-  for (std::size_t range : ranges)
-    medians[range] = median_of(probes.of_range[range], [&](std::size_t i) { return tilts[i]; });
-  return medians;
+  return medians_of_ranges<ConcurrencyTag>(
+      probes, ranges, [&](const std::vector<std::size_t>& of_range) {
+        return median_of(of_range, [&](std::size_t i) { return tilts[i]; });
+      });
 }
 
 // A point and the ring around it

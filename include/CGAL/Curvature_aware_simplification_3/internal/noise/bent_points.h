@@ -13,7 +13,6 @@
 #include <CGAL/Curvature_aware_simplification_3/internal/tools/loops.h>
 
 #include <cstddef>
-#include <vector>
 
 namespace CGAL {
 namespace Curvature_aware_simplification_3 {

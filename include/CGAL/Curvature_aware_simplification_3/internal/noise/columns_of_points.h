@@ -13,11 +13,10 @@
 #include <CGAL/Curvature_aware_simplification_3/internal/noise/parallel_axes.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/tools/Flags.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/tools/Neighbor_search.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/tools/index_selection.h>
 
-#include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <iterator>
 #include <vector>
 
 namespace CGAL {
@@ -29,7 +28,7 @@ inline Vector normal_around_column(const Neighbor_search& search, const Point& p
 {
   // Nine columns of 30 points. Of half as many, so many may be in one that they look like a curve.
   constexpr std::size_t many = 272;
-  static thread_local Neighborhood neighborhood;
+  Neighborhood neighborhood;
   neighborhood.collect(search, place, many);
   const bool are_scan = 2 * many > search.size(); // and not a part of its surface
   // parts of a curve rise from the plane of many
@@ -85,12 +84,11 @@ std::vector<Column> median_columns(const Noise_probes& probes,
   const std::vector<Column> columns = at_probes<ConcurrencyTag>(probes, ranges, [&](std::size_t i) {
     return column_at(probes.search, probes.points[i], axes[probes.range_around(i)], k);
   });
-  std::vector<Column> medians(probes.of_range.size());
-  for (std::size_t range : ranges)
-    medians[range] = {
-        median_of(probes.of_range[range], [&](std::size_t i) { return columns[i].points; }),
-        median_of(probes.of_range[range], [&](std::size_t i) { return columns[i].radius; })};
-  return medians;
+  return medians_of_ranges<ConcurrencyTag>(
+      probes, ranges, [&](const std::vector<std::size_t>& of_range) {
+        return Column{median_of(of_range, [&](std::size_t i) { return columns[i].points; }),
+                      median_of(of_range, [&](std::size_t i) { return columns[i].radius; })};
+      });
 }
 
 // Whether the points of some ranges are in columns, one above the other, as where a scanner at rest
@@ -108,23 +106,22 @@ Flags find_columns(const Noise_probes& probes, const std::vector<std::size_t>& r
                    const std::vector<Vector>& axes)
 {
   constexpr double steep = 0.15, least_share = 0.45;
-  std::vector<std::size_t> suspects;
-  std::copy_if(ranges.begin(), ranges.end(), std::back_inserter(suspects),
-               [&](std::size_t range) { return axes[range] != NULL_VECTOR; });
+  const std::vector<std::size_t> suspects = those_where<ConcurrencyTag>(
+      ranges, [&](std::size_t range) { return axes[range] != NULL_VECTOR; });
   const std::vector<Column> columns =
       median_columns<ConcurrencyTag>(probes, suspects, axes, least_columns);
   const std::vector<Vector> normals =
       at_probes<ConcurrencyTag>(probes, suspects, [&](std::size_t i) {
         return normal_around_column(probes.search, probes.points[i]);
       });
-  const auto are_columns = [&](std::size_t range) {
-    const Common_axis normal = common_axis(
-        probes.of_range[range], [&](std::size_t i) { return &normals[i]; }, 1);
-    const bool show_surface = normal.squared_cosine > 0.;
-    return show_surface && std::abs(normal.axis * axes[range]) > steep && columns[range].is_one();
-  };
-  std::vector<std::size_t> found;
-  std::copy_if(suspects.begin(), suspects.end(), std::back_inserter(found), are_columns);
+  const std::vector<std::size_t> found =
+      those_where<ConcurrencyTag>(suspects, [&](std::size_t range) {
+        const Common_axis normal = common_axis(
+            probes.of_range[range], [&](std::size_t i) { return &normals[i]; }, 1);
+        const bool show_surface = normal.squared_cosine > 0.;
+        return show_surface && std::abs(normal.axis * axes[range]) > steep &&
+               columns[range].is_one();
+      });
   Flags result(axes.size(), 0);
   if (static_cast<double>(found.size()) >= least_share * static_cast<double>(ranges.size()))
     for (std::size_t range : found)
@@ -152,10 +149,10 @@ Columns columns_of_ranges(const Noise_probes& probes, const Planes& planes_of_7)
   constexpr double tilt_along_columns = 0.4;
 
   const std::vector<std::size_t> ranges = all_ranges(probes);
-  std::vector<std::size_t> suspects;
-  std::copy_if(ranges.begin(), ranges.end(), std::back_inserter(suspects), [&](std::size_t range) {
-    return planes_of_7.tilt[range] > tilt_along_columns || !planes_of_7.layer[range].is_broad();
-  });
+  const std::vector<std::size_t> suspects =
+      those_where<ConcurrencyTag>(ranges, [&](std::size_t range) {
+        return planes_of_7.tilt[range] > tilt_along_columns || !planes_of_7.layer[range].is_broad();
+      });
   Columns columns(ranges.size());
   columns.axis = parallel_axes<ConcurrencyTag>(probes, suspects);
   columns.exist = find_columns<ConcurrencyTag>(probes, suspects, columns.axis);

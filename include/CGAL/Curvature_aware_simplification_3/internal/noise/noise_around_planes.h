@@ -13,7 +13,6 @@
 #include <CGAL/Curvature_aware_simplification_3/internal/noise/layers_of_two_sizes.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/noise/limits_of_noise.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/parameters/Adaptive_settings.h>
-#include <CGAL/Curvature_aware_simplification_3/internal/tools/Flags.h>
 
 #include <cstddef>
 #include <limits>

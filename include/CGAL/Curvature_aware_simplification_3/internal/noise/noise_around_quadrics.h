@@ -12,11 +12,11 @@
 #include <CGAL/Curvature_aware_simplification_3/internal/noise/columns_of_points.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/noise/noise_around_planes.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/parameters/Adaptive_settings.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/tools/index_selection.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/tools/median.h>
 
 #include <algorithm>
 #include <cstddef>
-#include <iterator>
 #include <optional>
 #include <vector>
 
@@ -59,6 +59,69 @@ inline void limit_unknown_noise(const std::vector<std::size_t>& unknown, double 
   }
 }
 
+// What layers of growing numbers of points tell of each range, and the ranges of which they do not
+template <typename ConcurrencyTag>
+struct Growing_layers
+{
+  std::vector<Noise_of_range> of_range;
+  std::vector<std::size_t> unknown;
+  bool are_points_too_few; // the largest layers would have more
+
+  Growing_layers(const Noise_probes& probes, const std::vector<Noise_around_planes>& around_planes,
+                 const Columns& columns, const Adaptive_settings& settings)
+    : of_range(probes.of_range.size()), unknown(all_ranges(probes))
+  {
+    const auto layers = [&](std::size_t k) {
+      return median_layers<ConcurrencyTag>(probes, unknown, k, Layer_around_quadric());
+    };
+    std::size_t k = Noise_of_range::smallest;
+    std::vector<Layer> inner = layers(k / 2), narrow = layers(k);
+    for (; !unknown.empty() && k <= Noise_of_range::largest && 2 * k <= probes.search.size();
+         k *= 2)
+    {
+      std::vector<Layer> wide = layers(2 * k);
+      expect_columns(probes, columns, k);
+      unknown.erase(std::remove_if(unknown.begin(), unknown.end(),
+                                   [&](std::size_t range) {
+                                     return of_range[range].learn_from(
+                                         k, inner[range], narrow[range], wide[range],
+                                         around_planes[range], settings);
+                                   }),
+                    unknown.end());
+      inner.swap(narrow);
+      narrow.swap(wide);
+    }
+    are_points_too_few = k <= Noise_of_range::largest;
+  }
+
+  // Takes what is there of the unknown ranges, if it is anything: it is known then.
+  void take(std::optional<Noise_around_quadrics> Noise_of_range::*guess)
+  {
+    unknown.erase(std::remove_if(unknown.begin(), unknown.end(),
+                                 [&](std::size_t range) {
+                                   Noise_of_range& here = of_range[range];
+                                   if (!(here.*guess))
+                                     return false;
+                                   here.take(*(here.*guess));
+                                   return true;
+                                 }),
+                  unknown.end());
+  }
+
+private:
+  // where k points hold too few columns, they show a plane along these and no noise
+  void expect_columns(const Noise_probes& probes, const Columns& columns, std::size_t k)
+  {
+    const std::vector<std::size_t> in_columns = those_where<ConcurrencyTag>(
+        unknown, [&](std::size_t range) { return columns.exist[range] != 0; });
+    const std::vector<Column> around =
+        median_columns<ConcurrencyTag>(probes, in_columns, columns.axis, k);
+    for (std::size_t range : in_columns)
+      if (around[range].is_one_of_few(k))
+        of_range[range].expect_columns(around[range].radius, 2 * k);
+  }
+};
+
 // The noise of each range that layers around quadrics show.
 //
 // Where no k up to 544 tells it, the noise is all there is to see, and sigma is the thickness; but
@@ -71,55 +134,18 @@ noise_around_quadrics(const Noise_probes& probes,
                       const std::vector<Noise_around_planes>& around_planes, const Columns& columns,
                       const Adaptive_settings& settings)
 {
-  const auto layers = [&](const std::vector<std::size_t>& ranges, std::size_t k) {
-    return median_layers<ConcurrencyTag>(probes, ranges, k, Layer_around_quadric());
-  };
-
-  std::vector<std::size_t> unknown = all_ranges(probes);
-  std::vector<Noise_of_range> of_range(unknown.size());
-  std::size_t k = Noise_of_range::smallest;
-  std::vector<Layer> inner = layers(unknown, k / 2), narrow = layers(unknown, k);
-  for (; !unknown.empty() && k <= Noise_of_range::largest && 2 * k <= probes.search.size(); k *= 2)
-  {
-    std::vector<Layer> wide = layers(unknown, 2 * k);
-    // where k points hold too few columns, they show a plane along these and no noise
-    std::vector<std::size_t> in_columns;
-    std::copy_if(unknown.begin(), unknown.end(), std::back_inserter(in_columns),
-                 [&](std::size_t range) { return columns.exist[range] != 0; });
-    const std::vector<Column> around =
-        median_columns<ConcurrencyTag>(probes, in_columns, columns.axis, k);
-    for (std::size_t range : in_columns)
-      if (around[range].is_one_of_few(k))
-        of_range[range].expect_columns(around[range].radius, 2 * k);
-    std::vector<std::size_t> still_unknown;
-    for (std::size_t range : unknown)
-      if (!of_range[range].learn_from(k, inner[range], narrow[range], wide[range],
-                                      around_planes[range], settings))
-        still_unknown.push_back(range);
-    unknown.swap(still_unknown);
-    inner.swap(narrow);
-    narrow.swap(wide);
-  }
-  // where the points end before larger layers can tell
-  const auto waits = [&](std::size_t range) { return of_range[range].unconfirmed.has_value(); };
-  for (std::size_t range : unknown)
-    if (waits(range))
-      of_range[range].take(*of_range[range].unconfirmed);
-  unknown.erase(std::remove_if(unknown.begin(), unknown.end(), waits), unknown.end());
-
-  const bool are_too_few = k <= Noise_of_range::largest && 2 * unknown.size() >= of_range.size();
+  Growing_layers<ConcurrencyTag> layers(probes, around_planes, columns, settings);
+  layers.take(&Noise_of_range::unconfirmed); // where the points end before larger layers can tell
+  const bool are_too_few =
+      layers.are_points_too_few && 2 * layers.unknown.size() >= layers.of_range.size();
   std::vector<double> levels;
-  for (const Noise_of_range& here : of_range)
+  for (const Noise_of_range& here : layers.of_range)
     levels.push_back(here.noise.level);
   const double most = are_too_few ? 0. : median(levels);
-  const auto is_doubtful = [&](std::size_t range) { return of_range[range].doubtful.has_value(); };
-  for (std::size_t range : unknown)
-    if (is_doubtful(range))
-      of_range[range].take(*of_range[range].doubtful);
-  unknown.erase(std::remove_if(unknown.begin(), unknown.end(), is_doubtful), unknown.end());
-  limit_unknown_noise(unknown, most, of_range);
+  layers.take(&Noise_of_range::doubtful);
+  limit_unknown_noise(layers.unknown, most, layers.of_range);
   std::vector<Noise_around_quadrics> noise;
-  for (const Noise_of_range& here : of_range)
+  for (const Noise_of_range& here : layers.of_range)
     noise.push_back(here.noise);
   return noise;
 }

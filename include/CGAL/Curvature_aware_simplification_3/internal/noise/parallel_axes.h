@@ -66,8 +66,9 @@ Common_axis common_axis(const std::vector<std::size_t>& indices, const UnitVecto
       sums.add(unit_vectors(i)[n]);
       sums.add(-unit_vectors(i)[n]);
     }
-  const Eigen::Vector3d lambda = eigenvalues(sums);
-  return {principal_axis(sums, 2), lambda(2), lambda(1)};
+  const Principal_axes axes(sums);
+  const Eigen::Vector3d mean_squared_cosines = axes.variances();
+  return {axes.axis(2), mean_squared_cosines(2), mean_squared_cosines(1)};
 }
 
 // The axes along which points of some ranges are to their nearest; null where these are not

@@ -9,7 +9,6 @@
 #include <CGAL/Curvature_aware_simplification_3/internal/features/features.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/features/thick_and_sparse.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/outliers/Marked_points.h>
-#include <CGAL/Curvature_aware_simplification_3/internal/tools/Flags.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/tools/Uninitialized_vector.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/tools/index_selection.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/tools/loops.h>

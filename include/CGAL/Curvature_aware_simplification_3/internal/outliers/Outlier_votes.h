@@ -79,9 +79,9 @@ public:
     return found;
   }
 
-  // Of points that were found for their few votes, unmarks for good those that have one at least
-  // and are in the plane of their neighbors: lone points of sparse borders and corners are, while
-  // one of a few outliers next to a surface hardly is.
+  // Of points that were found for their few votes, unmarks those that have one at least and are in
+  // the plane of their neighbors: lone points of sparse borders and corners are, while one of a few
+  // outliers next to a surface hardly is. Their votes are no reason to mark them any more.
   void keep_lone_points(const std::vector<std::size_t>& found)
   {
     const std::vector<std::size_t> lone = those_where<ConcurrencyTag>(found, [&](std::size_t i) {

@@ -6,7 +6,6 @@
 #ifndef CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_OUTLIERS_CONNECTED_SURFACES_H
 #define CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_OUTLIERS_CONNECTED_SURFACES_H
 
-#include <CGAL/Curvature_aware_simplification_3/internal/features/features.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/features/thick_and_sparse.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/outliers/Marked_points.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/outliers/sparse_surfaces.h>

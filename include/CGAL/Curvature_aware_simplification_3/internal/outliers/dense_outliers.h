@@ -31,24 +31,23 @@ bool are_far_points_dense(const Features& features, const Sparseness& sparseness
 {
   constexpr double hardly_farther = 1.5;
   constexpr double round_enough = 1. / 6.;
-  const auto points_with = [&](double variation, double inverse_density) {
-    return indices_where<ConcurrencyTag>(features.inverse_density.size(), [&](std::size_t i) {
-      return is_thick_and_sparse(features, i, variation, inverse_density);
-    });
-  };
-  const std::vector<std::size_t> far_ones =
-      points_with(least_variation_of_volumes, sparseness.of_outliers);
-  if (!is_more_than_a_few(far_ones.size(), features.inverse_density.size()))
+  const std::size_t n = features.inverse_density.size();
+  const std::vector<std::size_t> far_ones = indices_where<ConcurrencyTag>(n, [&](std::size_t i) {
+    return is_thick_and_sparse(features, i, least_variation_of_volumes, sparseness.of_outliers);
+  });
+  if (!is_more_than_a_few(far_ones.size(), n))
     return false;
   const double median = median_of_some<ConcurrencyTag>(
-      far_ones.size(), 1000, [&](std::size_t f) { return features.inverse_density[far_ones[f]]; });
+      far_ones.size(), [&](std::size_t f) { return features.inverse_density[far_ones[f]]; });
   if (median >= hardly_farther * hardly_farther * sparseness.of_outliers)
     return false;
-  const std::size_t rather_far =
-      points_with(least_variation_of_volumes, sparseness.of_sparse_parts).size();
-  const std::size_t round =
-      points_with(least_variation_of_round_volumes, sparseness.of_sparse_parts).size();
-  return static_cast<double>(round) >= round_enough * static_cast<double>(rather_far);
+  const auto rather_far_ones = [&](double variation) {
+    return static_cast<double>(number_where<ConcurrencyTag>(n, [&](std::size_t i) {
+      return is_thick_and_sparse(features, i, variation, sparseness.of_sparse_parts);
+    }));
+  };
+  return rather_far_ones(least_variation_of_round_volumes) >=
+         round_enough * rather_far_ones(least_variation_of_volumes);
 }
 
 } // namespace internal

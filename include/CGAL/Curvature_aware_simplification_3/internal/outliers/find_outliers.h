@@ -9,7 +9,6 @@
 #include <CGAL/Curvature_aware_simplification_3/internal/features/features.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/features/shared_features.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/features/thick_and_sparse.h>
-#include <CGAL/Curvature_aware_simplification_3/internal/input/Cloud.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/input/Searchable_points.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/outliers/Outlier_votes.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/outliers/connected_surfaces.h>
@@ -21,7 +20,6 @@
 #include <CGAL/Curvature_aware_simplification_3/internal/tools/Flags.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/tools/Progress.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/tools/index_selection.h>
-#include <CGAL/Curvature_aware_simplification_3/internal/tools/loops.h>
 
 #include <cstddef>
 #include <vector>
@@ -117,7 +115,9 @@ Flags find_outliers(const Searchable_points& cloud, const Shared_features& share
   if (are_more_than_a_few)
   {
     const std::vector<std::size_t> hidden = votes.less_than_half();
-    if (are_few_against(hidden.size(), flagged_indices<ConcurrencyTag>(is_outlier).size()))
+    if (are_few_against(hidden.size(),
+                        number_where<ConcurrencyTag>(
+                            is_outlier.size(), [&](std::size_t i) { return is_outlier[i] != 0; })))
       votes.mark(hidden);
   }
   return is_outlier;

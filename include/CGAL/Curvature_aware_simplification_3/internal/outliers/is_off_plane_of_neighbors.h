@@ -9,7 +9,6 @@
 #include <CGAL/Curvature_aware_simplification_3/internal/fitting/Covariance_sums.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/fitting/principal_axes.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/outliers/Marked_points.h>
-#include <CGAL/Curvature_aware_simplification_3/internal/tools/Flags.h>
 
 #include <algorithm>
 #include <cmath>
@@ -35,8 +34,8 @@ inline bool is_off_plane_of_neighbors(const Marked_points& points, std::size_t i
         if (j != i && points.is_outlier[j] == 0)
           sums.add(p - points.point(i));
       });
-  return sums.weight < 3. ||
-         std::abs(sums.mean() * principal_axis(sums, 0)) >= far_off * std::sqrt(squared_radius);
+  return sums.weight < 3. || std::abs(sums.mean() * Principal_axes(sums).axis(0)) >=
+                                 far_off * std::sqrt(squared_radius);
 }
 
 } // namespace internal

@@ -79,10 +79,10 @@ inline bool is_isolated_volume(const Marked_points& points, const std::vector<st
   Covariance_sums sums;
   for (std::size_t i : cluster)
     sums.add(points.point(i) - points.point(cluster.front()));
-  const Eigen::Vector3d lambda = eigenvalues(sums);
-  return is_thick(points.features, cluster, lambda) &&
+  const Eigen::Vector3d variances = principal_variances(sums);
+  return is_thick(points.features, cluster, variances) &&
          is_apart(points, cluster.size(), points.point(cluster.front()) + sums.mean(),
-                  3. * widths * std::sqrt((std::max)(lambda.sum(), 0.)));
+                  3. * widths * std::sqrt(variances.sum()));
 }
 
 // Whether it is a few points that are far from others

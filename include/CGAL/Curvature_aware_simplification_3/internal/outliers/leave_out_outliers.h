@@ -6,7 +6,6 @@
 #ifndef CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_OUTLIERS_LEAVE_OUT_OUTLIERS_H
 #define CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_OUTLIERS_LEAVE_OUT_OUTLIERS_H
 
-#include <CGAL/Curvature_aware_simplification_3/internal/features/features.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/features/shared_features.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/input/Searchable_points.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/outliers/find_outliers.h>
@@ -19,7 +18,6 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <functional>
 #include <utility>
 #include <vector>
 
@@ -28,8 +26,8 @@ namespace Curvature_aware_simplification_3 {
 namespace internal {
 
 // Leaves out outliers: from the points, from the features, which is what `shared` keeps, and from
-// the search, whose indices may not be those of the points any more. The indices in the cloud are
-// dropped before. Returns how many were found, also if they are too many to be left out.
+// the search, whose indices may not be those of the points any more. Returns how many were found,
+// also if they are too many to be left out.
 template <typename ConcurrencyTag>
 std::size_t leave_out_outliers(Searchable_points& cloud, Shared_features& shared,
                                std::size_t number_of_samples, const Adaptive_settings& settings,
@@ -38,10 +36,9 @@ std::size_t leave_out_outliers(Searchable_points& cloud, Shared_features& shared
   const std::size_t n = cloud.size();
   Flags is_outlier = find_outliers<ConcurrencyTag>(cloud, shared, settings, progress.part(0., 0.8));
   shared.votes = Uninitialized_vector<std::uint32_t>();
-  shared.represented = Flags();
-  const std::size_t number_found = reduce_indices<ConcurrencyTag>(
-      n, std::size_t(0), [&](std::size_t i) { return std::size_t(is_outlier[i]); },
-      std::plus<std::size_t>());
+  shared.represented = std::vector<std::uint8_t>();
+  const std::size_t number_found =
+      number_where<ConcurrencyTag>(n, [&](std::size_t i) { return is_outlier[i] != 0; });
   // What most points are is no outlier, and each sample needs a point to start from.
   if (number_found == 0 || n - number_found < (std::max)(number_of_samples, (n + 1) / 2))
     return number_found;

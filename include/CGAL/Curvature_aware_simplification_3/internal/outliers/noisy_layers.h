@@ -64,12 +64,12 @@ inline std::optional<Thick_plane> sparse_layer(const Marked_points& points, cons
     if (points.features.inverse_density[j] > points.sparseness.of_sparse_parts)
       ++sparse_ones;
   });
-  const Eigen::Vector3d lambda = eigenvalues(sums);
+  const Principal_axes axes(sums);
+  const Eigen::Vector3d variances = axes.variances();
   if (static_cast<double>(sparse_ones) < most * static_cast<double>(number) ||
-      !(lambda(0) <= largest_variation * lambda.sum()))
+      !(variances(0) <= largest_variation * variances.sum()))
     return std::nullopt;
-  return Thick_plane{place + sums.mean(), principal_axis(sums, 0),
-                     std::sqrt((std::max)(lambda(0), 0.))};
+  return Thick_plane{place + sums.mean(), axes.axis(0), std::sqrt(variances(0))};
 }
 
 // Unmarks those of the far ones that are in such a layer, and returns them. One place tells for 16

@@ -50,8 +50,8 @@ inline double variation_of_twice_the_radius(const Searchable_points& cloud, std:
   cloud.search->for_each_nearest(
       cloud.points[i], neighbors_within_twice_the_radius(k) + 1,
       [&](std::size_t, const Point& p, double) { sums.add(p - cloud.points[i]); });
-  const Eigen::Vector3d lambda = eigenvalues(sums);
-  return lambda(0) / lambda.sum();
+  const Eigen::Vector3d variances = principal_variances(sums);
+  return variances(0) / variances.sum();
 }
 
 // The median of that over these
@@ -59,7 +59,7 @@ template <typename ConcurrencyTag>
 double median_variation(const Searchable_points& cloud, std::size_t k,
                         const std::vector<std::size_t>& points)
 {
-  return median_of_some<ConcurrencyTag>(points.size(), 1000, [&](std::size_t i) {
+  return median_of_some<ConcurrencyTag>(points.size(), [&](std::size_t i) {
     return variation_of_twice_the_radius(cloud, k, points[i]);
   });
 }

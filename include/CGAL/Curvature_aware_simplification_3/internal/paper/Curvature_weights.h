@@ -19,6 +19,14 @@ class Curvature_weights
 public:
   explicit Curvature_weights(double curvature_dependence) : m_d(curvature_dependence) {}
 
+  // The factor that takes kappa to [0, 20], from its maximum; 0 where kappa vanishes everywhere.
+  // The lower end of the scale is kappa = 0 and not the smallest kappa: otherwise a sphere's kappa,
+  // equal up to noise, would spread over the whole range.
+  static double scale(double maximum_surface_variation)
+  {
+    return maximum_surface_variation > 0. ? maximum_curvature / maximum_surface_variation : 0.;
+  }
+
   // eq. 5 and 6: phi_1(k) = r + 1 / (k^-d + v), from r where flat to r + 1/v where curved.
   // At k = 0, k^-d is infinite and phi_1 is r; IEEE arithmetic gives just that.
   double attraction(double curvature) const { return r + 1. / (std::pow(curvature, -m_d) + v); }

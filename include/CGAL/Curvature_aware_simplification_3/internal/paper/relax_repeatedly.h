@@ -32,7 +32,7 @@ std::vector<Point> relax_repeatedly(const std::vector<Point>& initial_samples,
                                     const Progress& progress)
 {
   const double scale =
-      curvature_scale<ConcurrencyTag>(features, Curvature_weights::maximum_curvature);
+      Curvature_weights::scale(largest_surface_variation<ConcurrencyTag>(features));
   const Curvature_weights curvature_weights(parameters.curvature_dependence);
 
   Attractors attractors{*cloud.search, std::vector<double>(cloud.size())};
@@ -67,14 +67,10 @@ std::vector<Point> relax_repeatedly(const std::vector<Point>& initial_samples,
   const Relaxation relaxation{h, parameters.repulsion_weight, parameters.require_uniform_sampling};
   const Progress iterations_progress =
       progress.part(parameters.require_uniform_sampling ? 0.2 : 0., 1.);
-  const double iterations = static_cast<double>(parameters.number_of_iterations);
   for (std::size_t i = 0; i < parameters.number_of_iterations; ++i)
-  {
-    const double done = static_cast<double>(i);
-    samples = relax<ConcurrencyTag>(
-        samples, attractors, curvature_weights, relaxation, curvature_at,
-        iterations_progress.part(done / iterations, (done + 1.) / iterations));
-  }
+    samples =
+        relax<ConcurrencyTag>(samples, attractors, curvature_weights, relaxation, curvature_at,
+                              iterations_progress.step(i, parameters.number_of_iterations));
   return samples;
 }
 

@@ -16,7 +16,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <tuple>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -80,26 +80,27 @@ std::vector<std::size_t> select_points(const Cloud& cloud, const Features& featu
   enum State : std::uint8_t
   {
     DRAWN,
-    DISTINCT,
-    DUPLICATE
+    NOT_DRAWN,
+    DUPLICATE // nor drawn
   };
-  const Counter_based_random draw(parameters.random_seed, 0), removal(parameters.random_seed, 1);
+  const Counter_based_random draw(parameters.random_seed, 0);
   std::vector<State> state(cloud.input_size(), DUPLICATE);
   for_each_index<ConcurrencyTag>(0, cloud.size(), [&](std::size_t j) {
     const std::size_t i = cloud.input_index[j];
     state[i] =
         draw.uniform(i) < probability(features.surface_variation[j], features.inverse_density[j])
             ? DRAWN
-            : DISTINCT;
+            : NOT_DRAWN;
   });
 
   std::vector<std::size_t> selected =
       indices_where<ConcurrencyTag>(state.size(), [&](std::size_t i) { return state[i] == DRAWN; });
 
+  const Random_order order(parameters.random_seed);
   // Of a set in random order, duplicates last, the first `count` elements
   const auto choose = [&](std::vector<std::size_t>& set, std::size_t count) {
     const auto key = [&](std::size_t i) {
-      return std::make_tuple(state[i] == DUPLICATE, removal.bits(i), i);
+      return std::make_pair(state[i] == DUPLICATE, order.key(i));
     };
     if (count < set.size())
       std::nth_element(set.begin(), set.begin() + static_cast<std::ptrdiff_t>(count), set.end(),

@@ -8,7 +8,6 @@
 
 #include <CGAL/Curvature_aware_simplification_3/internal/fitting/Surface_fit.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/fitting/is_in_gap.h>
-#include <CGAL/Curvature_aware_simplification_3/internal/parameters/Adaptive_settings.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/parameters/Parameters.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/samples/Sample_neighbors.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/samples/Surface_sample.h>
@@ -37,8 +36,7 @@ inline void move_along_surface(Surface_sample& x, const Vector& repulsion, const
   double a = x.a + step * x.surface.u, b = x.b + step * x.surface.v;
   x.border.move_back(a, b);
   const Point end = x.point + (x.surface.point(a, b) - x.surface.point(x.a, x.b));
-  const Points_around around{x.surface.radius * x.surface.radius,
-                             static_cast<double>(x.surface.neighbors)};
+  const Points_around around(x.surface.radius, x.surface.neighbors);
   if (is_in_gap(fit, end, fit.search.nearest(end), around, x.surface.is_curve))
     return;
   x.a = a;
@@ -58,13 +56,12 @@ void even_out_samples(std::vector<Surface_sample>& samples, const Sample_neighbo
   const std::size_t rounds = (std::min)(parameters.number_of_iterations, most);
   Sample_positions positions(samples, ConcurrencyTag());
   for (std::size_t round = 0; round < rounds; ++round)
-    repel_samples<ConcurrencyTag>(
-        samples, positions, neighbors, parameters.repulsion_weight, fitter.settings,
-        progress.part(static_cast<double>(round) / most, static_cast<double>(round + 1) / most),
-        [&](Surface_sample& x, const Vector& repulsion) {
-          if (x.noise->is_visible)
-            move_along_surface(x, repulsion, fitter.at(*x.noise));
-        });
+    repel_samples<ConcurrencyTag>(samples, positions, neighbors, parameters.repulsion_weight,
+                                  fitter.settings, progress.step(round, most),
+                                  [&](Surface_sample& x, const Vector& repulsion) {
+                                    if (x.noise->is_visible)
+                                      move_along_surface(x, repulsion, fitter.at(*x.noise));
+                                  });
 }
 
 } // namespace internal

@@ -43,9 +43,7 @@ inline bool widen(const Surface_fit& fit, const Neighborhood& wide, double radiu
       fit.points_share_noise() ? (std::max)(surface.spread, 2. * fit.noise.level) : surface.spread;
   static thread_local std::vector<double> residuals;
   find_residuals(neighborhood, surface, residuals);
-  const Robust_weight weight(spread, residual_scale_of_wider);
-  for (std::size_t i = 0; i < residuals.size(); ++i)
-    neighborhood.neighbors[i].weight *= weight(residuals[i]);
+  reduce_weights(residuals, Robust_weight(spread, residual_scale_of_wider), neighborhood);
   Local_surface wider = surface;
   wider.radius = neighborhood.radius;
   wider.neighbors = neighborhood.size();

@@ -59,15 +59,14 @@ Distinct_samples all_and_duplicates(const Cloud& cloud, std::size_t number, std:
   Distinct_samples samples{cloud.points, std::vector<std::size_t>(cloud.size(), 1)};
   if (number == cloud.size())
     return samples;
-  const Counter_based_random random(seed, 1);
-  const auto key = [&](const Duplicate& d) {
-    return std::make_pair(random.bits(d.index), d.index);
-  };
+  const Random_order order(seed);
   std::vector<Duplicate> chosen = cloud.duplicates;
   const auto end = chosen.begin() + static_cast<std::ptrdiff_t>(number - cloud.size());
   if (end != chosen.end())
     std::nth_element(chosen.begin(), end, chosen.end(),
-                     [&](const Duplicate& d, const Duplicate& e) { return key(d) < key(e); });
+                     [&](const Duplicate& d, const Duplicate& e) {
+                       return order.key(d.index) < order.key(e.index);
+                     });
   const std::vector<std::size_t> distinct = distinct_indices<ConcurrencyTag>(cloud);
   std::for_each(chosen.begin(), end,
                 [&](const Duplicate& d) { ++samples.copies[distinct[d.index]]; });

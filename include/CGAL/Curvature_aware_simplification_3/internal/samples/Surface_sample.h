@@ -49,8 +49,7 @@ struct Surface_sample
     if (!(neighborhood.radius > 0.))
       return point;
     const Point nearest = neighborhood.nearest(point);
-    const Points_around around{neighborhood.radius * neighborhood.radius,
-                               static_cast<double>(neighborhood.size())};
+    const Points_around around(neighborhood.radius, neighborhood.size());
     if (!is_in_gap(fit, point, nearest, around, surface.is_curve) && !is_beside_neighbors(fit))
       return nearest;
     fit_and_move(fit, nearest, guess, rounds, neighborhood);

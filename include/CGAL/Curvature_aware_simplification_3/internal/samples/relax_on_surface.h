@@ -21,6 +21,17 @@ namespace CGAL {
 namespace Curvature_aware_simplification_3 {
 namespace internal {
 
+// Fits a surface around each sample, and puts it there
+template <typename ConcurrencyTag>
+void place_on_surface(std::vector<Surface_sample>& samples, const Surface_fitter& fitter,
+                      const Progress& progress)
+{
+  for_each_index<ConcurrencyTag>(samples.size(), progress, [&](std::size_t i) {
+    Surface_sample& x = samples[i];
+    x.place(fitter.at(*x.noise), x.point, NULL_VECTOR, rounds_to_move);
+  });
+}
+
 // One iteration for one sample. The first term of eq. 8, which draws samples to the input, has
 // become the surface that each sample moves on: it is exact to third order, where a mean is to
 // first, and is fitted again when the sample leaves the part that it was fitted to.
@@ -91,13 +102,11 @@ Sample_neighbors relax_on_surface(std::vector<Surface_sample>& samples,
       moved_since_search = 0.;
       last_search = iteration;
     }
-    const double iterations = static_cast<double>(number_of_iterations);
     const double weight = repulsion_weight * length_of_steps(fitter.settings.length_of_first_steps,
                                                              iteration, number_of_iterations);
     const double mean_move = repel_samples<ConcurrencyTag>(
         samples, positions, neighbors, weight, fitter.settings,
-        progress.part(static_cast<double>(iteration) / iterations,
-                      static_cast<double>(iteration + 1) / iterations),
+        progress.step(iteration, number_of_iterations),
         [&](Surface_sample& x, const Vector& step) { move_on_surface(x, step, fitter); });
     if (mean_move < at_rest)
       break;

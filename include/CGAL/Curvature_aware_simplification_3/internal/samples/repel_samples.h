@@ -26,10 +26,12 @@ namespace internal {
 // Second term of eq. 8 in the tangent plane of the sample: the mean of (x - x_i) with the weights
 // beta_i phi_2.
 //
-// Distances are measured in spacings, rho = |x - x_i| / s. theta = (1 - rho^2 / 4)^6 is close to
-// exp(-1.5 rho^2), that of the paper for h = 3.3 spacings, and ends at two spacings, the second
-// ring. phi_2 = s_i^2: where n phi_2 is the same everywhere, the forces balance, so the density n
-// of the samples tends to what is wanted, 1 / s^2; it falls with the curvature as in eq. 3 and 4.
+// Distances d = x - x_i are measured in spacings, and their part along the normal n counts w =
+// `weight_of_height` times: rho^2 = (|d|^2 + (w - 1) (d n)^2) / s^2. theta = (1 - rho^2 / r^2)^6
+// with the reach r = 2 is close to exp(-1.5 rho^2), that of the paper for h = 3.3 spacings, and
+// ends at two spacings, the second ring; beta_i = theta / rho. phi_2 = s_i^2: where n phi_2 is the
+// same everywhere, the forces balance, so the density n of the samples tends to what is wanted, 1 /
+// s^2; it falls with the curvature as in eq. 3 and 4.
 inline Vector tangential_repulsion(const Surface_sample& x, const Neighbor_indices& neighbors,
                                    const std::vector<Point>& points,
                                    const std::vector<double>& squared_spacings,
@@ -61,7 +63,7 @@ inline Vector tangential_repulsion(const Surface_sample& x, const Neighbor_indic
     weights += beta;
   }
   Vector sum(sum_x.sum(), sum_y.sum(), sum_z.sum());
-  sum = sum - (sum * normal) * normal; // once is enough
+  sum = sum - (sum * normal) * normal; // in the plane: of the sum, instead of each term
   double weight = weights.sum();
   // In a lattice of spacing s, the weights add up to 6 (3/4)^6 = 1.07. Few and far neighbors push
   // less: divided by less, one at the end of the reach would push as six around do, and where noise
@@ -109,11 +111,8 @@ double repel_samples(std::vector<Surface_sample>& samples, Sample_positions& pos
   for (std::size_t turn = 0; turn < turns; ++turn)
   {
     const std::size_t number = (samples.size() - turn + turns - 1) / turns;
-    const Progress turn_progress =
-        progress.part(static_cast<double>(turn) / static_cast<double>(turns),
-                      static_cast<double>(turn + 1) / static_cast<double>(turns));
     places.resize(number);
-    for_each_index<ConcurrencyTag>(number, turn_progress, [&](std::size_t n) {
+    for_each_index<ConcurrencyTag>(number, progress.step(turn, turns), [&](std::size_t n) {
       const std::size_t i = turn + n * turns;
       Surface_sample& x = samples[i];
       move(x, weight * tangential_repulsion(x, neighbors.of(i), positions.points,

@@ -8,9 +8,6 @@
 
 #include <CGAL/Curvature_aware_simplification_3/internal/Scan.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/density/sampling_density.h>
-#include <CGAL/Curvature_aware_simplification_3/internal/fitting/Surface_fit.h>
-#include <CGAL/Curvature_aware_simplification_3/internal/fitting/fit_to_neighbors.h>
-#include <CGAL/Curvature_aware_simplification_3/internal/noise/Noise_levels.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/parameters/Adaptive_settings.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/parameters/Parameters.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/samples/Surface_sample.h>
@@ -52,17 +49,6 @@ select_samples(Scan& scan, std::size_t number_of_samples, const Parameters& para
     samples[i].noise = &scan.noise.at(selected[i]);
   });
   return samples;
-}
-
-// Fits a surface around each sample, and puts it there
-template <typename ConcurrencyTag>
-void place_on_surface(std::vector<Surface_sample>& samples, const Surface_fitter& fitter,
-                      const Progress& progress)
-{
-  for_each_index<ConcurrencyTag>(samples.size(), progress, [&](std::size_t i) {
-    Surface_sample& x = samples[i];
-    x.place(fitter.at(*x.noise), x.point, NULL_VECTOR, rounds_to_move);
-  });
 }
 
 } // namespace internal

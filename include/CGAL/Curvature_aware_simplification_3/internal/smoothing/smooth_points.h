@@ -7,8 +7,8 @@
 #define CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_SMOOTHING_SMOOTH_POINTS_H
 
 #include <CGAL/Curvature_aware_simplification_3/internal/fitting/Surface_fit.h>
-#include <CGAL/Curvature_aware_simplification_3/internal/fitting/fit_quadric.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/noise/Noise_levels.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/smoothing/fit_smoothing_quadric.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/smoothing/thin_points.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/tools/Flags.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/tools/Neighbor_search.h>
@@ -32,30 +32,6 @@ struct Smoothed_point
   Point point;
   double variance;
 };
-
-// Variance of the heights of the neighbors over the surface that was fitted to them: noise, and
-// shape that it missed. The point x that is smoothed does not count: it may be far off, and such
-// are to be moved.
-inline double variance_of_residuals(const Neighborhood& neighborhood, const Local_surface& surface,
-                                    const Point& x)
-{
-  const Vector own_position = x - neighborhood.center;
-  double sum = 0., sum_of_squares = 0., sum_of_residuals = 0.;
-  for (const Neighborhood::Neighbor& neighbor : neighborhood.neighbors)
-  {
-    if (neighbor.position == own_position)
-      continue;
-    const double residual = surface.residual(neighbor.position);
-    sum += neighbor.weight;
-    sum_of_squares += neighbor.weight * neighbor.weight;
-    sum_of_residuals += neighbor.weight * residual * residual;
-  }
-  if (!(sum > 0.))
-    return 0.;
-  // so many neighbors of equal weight would tell as much; the quadric used up 6
-  const double n = sum * sum / sum_of_squares;
-  return sum_of_residuals / sum * n / (std::max)(n - 6., 1.);
-}
 
 // How much of the way from a point to the foot point brings it nearer to the surface: 1 where the
 // variance s^2 of the residuals is no more than noise by chance, f sigma^2; beyond, f sigma^2 /
@@ -84,12 +60,9 @@ inline bool fit_to_smooth(const Surface_fit& fit, const Point& center, const Poi
   collect_neighbors(fit, center, smoothing_neighborhood, radius, expected_neighbors, neighborhood);
   if (!(neighborhood.radius > 0.))
     return false;
-  // The center is or was a noisy point itself: were the weights to fall within a few sigma, points
-  // with the same error would count most, and confirm it. Where noise is small against the
-  // distances of the points, they fall as in other fits.
-  neighborhood.weight_by_distance((std::max)(neighborhood.radius, 2. * radius));
-  if (!fit_quadric_over_plane(neighborhood, fit.noise.level, surface) ||
-      !(surface.error < fit.noise.level))
+  // Where noise is small against the distances of the points, weights fall as in other fits.
+  if (!fit_smoothing_quadric((std::max)(neighborhood.radius / 2., radius), fit.noise.level,
+                             neighborhood, surface))
     return false;
   // further than that, noise hardly carries a point: it is on another sheet, or the fit is wrong
   const double farthest = 4. * fit.noise.level;

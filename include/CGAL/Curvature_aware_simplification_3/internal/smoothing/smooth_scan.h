@@ -19,7 +19,6 @@
 #include <CGAL/Curvature_aware_simplification_3/internal/tools/Uninitialized_vector.h>
 
 #include <cstddef>
-#include <vector>
 
 namespace CGAL {
 namespace Curvature_aware_simplification_3 {

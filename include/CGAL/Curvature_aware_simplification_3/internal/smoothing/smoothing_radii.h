@@ -9,30 +9,29 @@
 #include <CGAL/Curvature_aware_simplification_3/internal/fitting/Fit_difference.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/fitting/Neighborhood.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/fitting/Surface_fit.h>
-#include <CGAL/Curvature_aware_simplification_3/internal/fitting/fit_quadric.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/input/Searchable_points.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/noise/Noise_levels.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/noise/Noise_probes.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/parameters/Adaptive_settings.h>
-#include <CGAL/Curvature_aware_simplification_3/internal/tools/Curve_ranges.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/smoothing/fit_smoothing_quadric.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/tools/Neighbor_search.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/tools/loops.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <type_traits>
 #include <vector>
 
 namespace CGAL {
 namespace Curvature_aware_simplification_3 {
 namespace internal {
 
-// In balls of 4 sigma, a layer of noisy points looks flat: no fit that smooths them needs more. A
+// The narrowest balls that smooth points, where the widest are 4 sigma. A
 // ball around a point off the surface holds more of the noise on its side: of 3 sigma, the point
 // would keep a seventh of its height (exp(-0.22 r^2 / sigma^2) of it, as was measured on planes),
 // and it still keeps some if the ball is moved to its foot point. With balls down to 2.5 sigma,
 // samples are up to 13 % farther from the surface, and meshes of them 2 % nearer to 6 % farther.
-inline constexpr double largest_smoothing_radius_in_noise = 4.;
 inline constexpr double smallest_smoothing_radius_in_noise = 3.;
 
 // The radius r of the ball in which a point is smoothed, for a shape of which nothing is known but
@@ -46,24 +45,6 @@ inline double usual_smoothing_radius(double sigma, double spacing_of_samples)
   // the cube root of s^2 sigma, which might underflow
   const double worth = 1.6 * spacing_of_samples * std::cbrt(sigma / spacing_of_samples);
   return (std::min)(largest_smoothing_radius_in_noise * sigma, worth);
-}
-
-// The quadric through neighbors in a ball of that radius, with the weights of smooth_point()
-inline bool fit_smoothing_quadric(double radius, double sigma, Neighborhood& neighborhood,
-                                  Local_surface& surface)
-{
-  neighborhood.weight_by_distance(2. * radius);
-  return fit_quadric_over_plane(neighborhood, sigma, surface) && surface.error < sigma;
-}
-
-// The quadric that smooths the center of a ball with radius r, from neighbors that are in a larger
-// one
-inline bool fit_smoothing_quadric(const Neighborhood& wide, const Point& center, double radius,
-                                  double sigma, Local_surface& surface)
-{
-  static thread_local Neighborhood neighborhood;
-  neighborhood.take_within(wide, center, radius);
-  return fit_smoothing_quadric(radius, sigma, neighborhood, surface);
 }
 
 // An even part of the neighbors in a ball. The nearest would be in a part of it that is no wider
@@ -143,6 +124,21 @@ Noise_probes smoothing_probes(const Searchable_points& cloud, const Adaptive_set
   return noise_probes<ConcurrencyTag>(cloud, many_probes(cloud.size(), settings.most_noise_probes));
 }
 
+// function(place, noise there) at the probes where noise is visible; those at others are left empty
+template <typename ConcurrencyTag, typename Function>
+auto at_visible_noise(const Noise_probes& probes, const Noise_levels& noise,
+                      const Function& function)
+{
+  using Value = std::decay_t<decltype(function(probes.points[0], noise.of_range[0]))>;
+  std::vector<Value> values(probes.points.size());
+  for_each_index<ConcurrencyTag>(0, values.size(), [&](std::size_t i) {
+    const Noise& here = noise.at(probes.index[i]);
+    if (here.is_visible)
+      values[i] = function(probes.points[i], here);
+  });
+  return values;
+}
+
 // Decides in which balls the points of each range with visible noise are smoothed: wide ones where
 // the shape is smooth, narrow ones where it has details.
 template <typename ConcurrencyTag>
@@ -155,19 +151,14 @@ void set_smoothing_radii(Noise_levels& noise, const Noise_probes& probes, double
     return;
 
   const Surface_fitter fitter{probes.search, settings};
-  const std::size_t number = probes.points.size();
-  std::vector<Fit_difference> differences(number);
-  for_each_index<ConcurrencyTag>(0, number, [&](std::size_t i) {
-    const Noise& here = noise.at(probes.index[i]);
-    if (here.is_visible)
-      differences[i] =
-          difference_of_fits(fitter.at(here), probes.points[i], radius_to_compare(here));
-  });
+  const std::vector<Fit_difference> differences =
+      at_visible_noise<ConcurrencyTag>(probes, noise, [&](const Point& place, const Noise& here) {
+        return difference_of_fits(fitter.at(here), place, radius_to_compare(here));
+      });
   for (std::size_t range = 0; range < noise.of_range.size(); ++range)
   {
     Noise& here = noise.of_range[range];
-    // balls that hold several columns are as wide as they must be
-    if (!here.is_visible || here.radius_of_columns > 0.)
+    if (!here.may_be_narrowed())
       continue;
     const double usual = here.smoothing_radius;
     const double least = (std::min)(smallest_smoothing_radius_in_noise * here.level, usual);

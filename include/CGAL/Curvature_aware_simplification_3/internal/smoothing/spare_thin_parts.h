@@ -11,10 +11,8 @@
 #include <CGAL/Curvature_aware_simplification_3/internal/noise/Noise_levels.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/noise/Noise_probes.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/parameters/Adaptive_settings.h>
-#include <CGAL/Curvature_aware_simplification_3/internal/smoothing/smooth_points.h>
+#include <CGAL/Curvature_aware_simplification_3/internal/smoothing/fit_smoothing_quadric.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/smoothing/smoothing_radii.h>
-#include <CGAL/Curvature_aware_simplification_3/internal/tools/Curve_ranges.h>
-#include <CGAL/Curvature_aware_simplification_3/internal/tools/loops.h>
 
 #include <cmath>
 #include <cstddef>
@@ -60,17 +58,14 @@ void spare_thin_parts(Noise_levels& noise, const Noise_probes& probes,
   constexpr double of_smooth_shapes = 1.2;
 
   const Surface_fitter fitter{probes.search, settings};
-  std::vector<double> ratios(probes.points.size());
-  for_each_index<ConcurrencyTag>(0, ratios.size(), [&](std::size_t i) {
-    const Noise& here = noise.at(probes.index[i]);
-    if (here.is_visible)
-      ratios[i] = residuals_over_noise(fitter.at(here), probes.points[i]);
-  });
+  const std::vector<double> ratios =
+      at_visible_noise<ConcurrencyTag>(probes, noise, [&](const Point& place, const Noise& here) {
+        return residuals_over_noise(fitter.at(here), place);
+      });
   for (std::size_t range = 0; range < noise.of_range.size(); ++range)
   {
     Noise& here = noise.of_range[range];
-    // balls that hold several columns are as wide as they must be
-    if (!here.is_visible || here.radius_of_columns > 0.)
+    if (!here.may_be_narrowed())
       continue;
     double sum = 0., number = 0.;
     for (std::size_t i : probes.around(range, noise.of_range.size()))

@@ -33,16 +33,14 @@ template <typename ConcurrencyTag>
 std::vector<double> points_in_noise(const Noise_probes& probes, const Noise_levels& noise,
                                     std::size_t most)
 {
-  const std::size_t number = probes.points.size();
-  std::vector<double> in_ball(number, 0.);
-  for_each_index<ConcurrencyTag>(0, number, [&](std::size_t i) {
-    const Noise& here = noise.at(probes.index[i]);
-    if (here.is_visible)
-      probes.search.for_each_within(
-          probes.points[i], largest_smoothing_radius_in_noise * here.level,
-          [&](std::size_t, const Point&, double) { in_ball[i] += 1.; }, most);
-  });
-  return in_ball;
+  return at_visible_noise<ConcurrencyTag>(
+      probes, noise, [&](const Point& place, const Noise& here) {
+        double number = 0.;
+        probes.search.for_each_within(
+            place, largest_smoothing_radius_in_noise * here.level,
+            [&](std::size_t, const Point&, double) { number += 1.; }, most);
+        return number;
+      });
 }
 
 // The part of the points that is enough against the noise around, in ranges of the curve of equally

@@ -6,7 +6,9 @@
 #ifndef CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_TOOLS_COUNTER_BASED_RANDOM_H
 #define CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_TOOLS_COUNTER_BASED_RANDOM_H
 
+#include <cstddef>
 #include <cstdint>
+#include <utility>
 
 namespace CGAL {
 namespace Curvature_aware_simplification_3 {
@@ -43,6 +45,18 @@ private:
   static constexpr std::uint64_t increment = 0x9E3779B97F4A7C15u; // 2^64 / golden ratio, odd
 
   std::uint64_t m_key;
+};
+
+// Indices in random order are those with increasing keys. The first of the streams of a seed draws.
+class Random_order
+{
+public:
+  explicit Random_order(std::uint64_t seed) : m_random(seed, 1) {}
+
+  std::pair<std::uint64_t, std::size_t> key(std::size_t i) const { return {m_random.bits(i), i}; }
+
+private:
+  Counter_based_random m_random;
 };
 
 } // namespace internal

@@ -43,6 +43,13 @@ public:
     return Progress(m_callback, position(begin), position(end));
   }
 
+  // the part of the i-th of n equal steps
+  Progress step(std::size_t i, std::size_t n) const
+  {
+    return part(static_cast<double>(i) / static_cast<double>(n),
+                static_cast<double>(i + 1) / static_cast<double>(n));
+  }
+
 private:
   Progress(const std::function<bool(double)>& callback, double begin, double end)
     : m_callback(callback), m_begin(begin), m_end(end)

@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <functional>
 #include <vector>
 
 namespace CGAL {
@@ -38,6 +39,15 @@ std::vector<std::size_t> indices_where(std::size_t size, const Predicate& predic
               result.begin() + static_cast<std::ptrdiff_t>(first[block]));
   });
   return result;
+}
+
+// How many these are
+template <typename ConcurrencyTag, typename Predicate>
+std::size_t number_where(std::size_t size, const Predicate& predicate)
+{
+  return reduce_indices<ConcurrencyTag>(
+      size, std::size_t(0), [&](std::size_t i) { return std::size_t(predicate(i) ? 1 : 0); },
+      std::plus<std::size_t>());
 }
 
 template <typename ConcurrencyTag>

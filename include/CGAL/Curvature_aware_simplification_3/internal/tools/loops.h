@@ -47,7 +47,8 @@ template <typename ConcurrencyTag>
 void run_in_parts(std::size_t begin, std::size_t end, const Index_loop& loop)
 {
   using Iterator = boost::counting_iterator<std::size_t>;
-  // A thousand parts are enough for many threads to share.
+  // Short loops are made of a thousand parts, enough for many threads to share; long ones of parts
+  // of 64, which take long against the call of one, and not so long that threads wait for the last.
   const std::size_t size = end - begin;
   const std::size_t step = (std::min)(size / 1024 + 1, std::size_t(64));
   CGAL::for_each<ConcurrencyTag>(CGAL::make_range(Iterator(0), Iterator((size + step - 1) / step)),

@@ -18,10 +18,11 @@ namespace CGAL {
 namespace Curvature_aware_simplification_3 {
 namespace internal {
 
-// The median of value(i) for i in [0, size), or, where they are more than `most`, of that many of
-// them, evenly spread: for where it need not be exact
+// The median of value(i) for i in [0, size), or, where they are more than 1000, of that many of
+// them, evenly spread: for where it need not be exact. Half of the values are below it then, and
+// 1.6 % more or less (the standard deviation, 0.5 / sqrt(1000)).
 template <typename ConcurrencyTag, typename Value>
-double median_of_some(std::size_t size, std::size_t most, const Value& value)
+double median_of_some(std::size_t size, const Value& value, std::size_t most = 1000)
 {
   const std::size_t number = (std::min)(most, size);
   std::vector<double> values(number);

@@ -25,13 +25,11 @@ template <typename ConcurrencyTag, typename T>
 void sort(std::vector<T>& values)
 {
 #ifdef CGAL_LINKED_WITH_TBB
-  if (std::is_convertible<ConcurrencyTag, Parallel_tag>::value)
-  {
+  if constexpr (std::is_convertible<ConcurrencyTag, Parallel_tag>::value)
     tbb::parallel_sort(values.begin(), values.end());
-    return;
-  }
+  else
 #endif
-  std::sort(values.begin(), values.end());
+    std::sort(values.begin(), values.end());
 }
 
 } // namespace internal

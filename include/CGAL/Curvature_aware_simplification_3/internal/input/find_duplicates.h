@@ -3,8 +3,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_INPUT_EQUAL_POINTS_H
-#define CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_INPUT_EQUAL_POINTS_H
+#ifndef CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_INPUT_FIND_DUPLICATES_H
+#define CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_INPUT_FIND_DUPLICATES_H
 
 #include <CGAL/Curvature_aware_simplification_3/internal/tools/Computation_kernel.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/tools/Flags.h>
@@ -136,4 +136,4 @@ std::vector<Duplicate> find_duplicates(const std::vector<Point>& points)
 } // namespace Curvature_aware_simplification_3
 } // namespace CGAL
 
-#endif // CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_INPUT_EQUAL_POINTS_H
+#endif // CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_INPUT_FIND_DUPLICATES_H

@@ -3,8 +3,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_INPUT_INPUT_H
-#define CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_INPUT_INPUT_H
+#ifndef CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_INPUT_READ_CLOUD_H
+#define CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_INPUT_READ_CLOUD_H
 
 #include <CGAL/Curvature_aware_simplification_3/internal/input/Cloud.h>
 #include <CGAL/Curvature_aware_simplification_3/internal/tools/Computation_kernel.h>
@@ -139,4 +139,4 @@ Cloud read_cloud(const PointRange& points, const NamedParameters& np, const Prog
 } // namespace Curvature_aware_simplification_3
 } // namespace CGAL
 
-#endif // CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_INPUT_INPUT_H
+#endif // CGAL_CURVATURE_AWARE_SIMPLIFICATION_3_INTERNAL_INPUT_READ_CLOUD_H
