@@ -3,12 +3,13 @@
 #
 #   scripts/benchmark.sh [quick|igea|shapes|full [OPTION...]]
 #
-# quick: three inputs, no search for settings, no external programs; under 5 minutes on two cores.
-# igea: the model of the paper's Table 1 in six conditions, if it is in the folder given with
-#   --shared; about an hour.
+# quick: a torus in three conditions, no search for settings, no external programs; under 5 minutes
+#   on two cores.
+# igea: the model of the paper's Table 1, igea.ply in the folder given with --shared, in six
+#   conditions; cost, what each idea is worth, tables and figures of the paper; an hour and more.
 # shapes: twelve shapes in seven conditions against CGAL's functions and what is built here; no
 #   external programs, no times; an hour and a half. The page is results/shapes.md.
-# full: all, several hours.
+# full: as igea, with an elephant and five analytic surfaces as well; several hours.
 # Options are those of benchmark.py: after a change of this package, --rerun "this package" takes the
 # results of the others from the last run.
 set -euo pipefail

@@ -58,6 +58,7 @@ struct Stages
            uniform_noise(0., cloud.size()),
            even_density<Tag>(features.inverse_density, size / 10, default_settings.densest),
            {},
+           infinite_inverse_density,
            false}
   {}
 

@@ -73,7 +73,8 @@ struct Curvature_aware_simplification_report
   double selection_time = 0.;
   /// fitting surfaces to the samples, and all iterations of the relaxation
   double relaxation_time = 0.;
-  /// final projection of the samples, and their way to sharp edges and corners of borders
+  /// final projection of the samples, their way to sharp edges, corners of borders and points of the
+  /// input, and those that are put on tips and ridges
   double projection_time = 0.;
 };
 

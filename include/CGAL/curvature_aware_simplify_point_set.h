@@ -288,7 +288,8 @@ the radius \f$h\f$, the time is \f$O(M (\log M + k) + i N (\log M + n))\f$, with
         index of the first such point), points are so far from many others that these would be as one, as if
         the largest number stood for a missing measurement (the message tells the index of one, the manual
         how far is too far), or a parameter is out of its range (the message tells its name, its value and
-        what is allowed); nothing is written then
+        what is allowed); nothing is written then. What the property map, the callback or the output iterator
+        throws is passed on, as is `std::bad_alloc`.
 
 \sa `CGAL::wlop_simplify_and_regularize_point_set()`
 \sa `CGAL::curvature_aware_random_simplify_point_set()`

@@ -40,7 +40,7 @@ Points that are exact duplicates of each other are counted once in every neighbo
 same value. Values below the rounding error of the coordinates are set to 0: that of floats, if all
 of them may have been floats.
 
-The complexity is \f$O(n (\log n + k))\f$ for \f$n\f$ points.
+The complexity is \f$O(M (\log M + k))\f$ for \f$M\f$ points.
 
 \tparam ConcurrencyTag enables sequential versus parallel algorithm. Possible values are
         `Sequential_tag`, `Parallel_tag`, and `Parallel_if_available_tag`. The result is the same.

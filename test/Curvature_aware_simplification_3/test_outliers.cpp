@@ -845,4 +845,31 @@ TEST(Outliers, are_not_found_in_small_parts)
     EXPECT_LT(outliers_with(moved(with_noise(surfaces::sphere(200, 38), noise, 39), 0.05)), 5u);
 }
 
+// What most points are is no outlier, and each sample needs a point to start from.
+TEST(Outliers, are_left_in_where_fewer_points_than_samples_would_remain)
+{
+  std::vector<Point> points = surfaces::sphere(2000, 12);
+  add_outliers(points, 400, 20., 14);
+  const auto number_left_out = [&](std::size_t number_of_samples) {
+    Cloud cloud = cloud_of(points);
+    Shared_features shared = shared_features_of(cloud);
+    const std::size_t before = cloud.size();
+    leave_out_outliers<Tag>(cloud, shared, number_of_samples, Adaptive_settings(),
+                            Progress(no_callback));
+    return before - cloud.size();
+  };
+  const std::size_t found = number_left_out(100);
+  ASSERT_GT(found, 100u);
+  EXPECT_EQ(number_left_out(2400 - found), found);
+  EXPECT_EQ(number_left_out(2401 - found), 0u);
+}
+
+TEST(Outliers, are_more_than_a_few_from_a_thousandth_on)
+{
+  EXPECT_FALSE(is_more_than_a_few(3, 999));
+  EXPECT_TRUE(is_more_than_a_few(4, 999));
+  EXPECT_FALSE(is_more_than_a_few(5, 2000));
+  EXPECT_TRUE(is_more_than_a_few(6, 2000));
+}
+
 } // namespace

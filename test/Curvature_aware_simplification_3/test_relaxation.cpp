@@ -350,4 +350,12 @@ TEST(Samples_beyond_the_neighbors_of_points, stay_near_points)
   EXPECT_TRUE(stays(dense, points));
 }
 
+TEST(Limited_step, is_half_of_the_spacing_at_most)
+{
+  const Vector step = limited_step(Vector(3., 4., 0.), 2.);
+  EXPECT_NEAR(step.x(), 0.6, 1e-15);
+  EXPECT_NEAR(step.y(), 0.8, 1e-15);
+  EXPECT_EQ(limited_step(Vector(0.3, 0.4, 0.), 2.), Vector(0.3, 0.4, 0.));
+}
+
 } // namespace

@@ -51,6 +51,43 @@ std::vector<Point> transformed(const std::vector<Point>& points,
   return result;
 }
 
+TEST_F(Defaults, all_distinct_points_are_returned_as_they_are)
+{
+  std::vector<Point> points = surfaces::sphere(1000, 3);
+  points.emplace_back(30., 0., 0.); // an outlier
+  points.insert(points.end(), 500, points[7]);
+  for (std::size_t n : {1001u, 1200u, 1501u})
+  {
+    CGAL::Curvature_aware_simplification_report report;
+    std::vector<Point> output;
+    CGAL::curvature_aware_simplify_point_set<Tag>(
+        points, std::back_inserter(output),
+        np::number_of_output_points(n).simplification_report(std::ref(report)));
+    EXPECT_EQ(output.size(), n);
+    EXPECT_LT(hausdorff_distance(output, points), 1e-13); // into the frame and back
+    EXPECT_EQ(report.number_of_outliers, 0u);
+    EXPECT_EQ(report.noise_level, 0.);
+  }
+}
+
+TEST(Subset, makes_up_for_an_uneven_density_as_far_as_adaptivity_asks)
+{
+  std::vector<Point> points = surfaces::square(20000, 1); // and half as dense beside it
+  for (const Point& p : surfaces::square(10000, 2))
+    points.emplace_back(1. + p.x(), p.y(), p.z());
+  const auto on_dense_side = [&](double adaptivity) {
+    std::vector<Point> output;
+    CGAL::curvature_aware_random_simplify_point_set<Tag>(
+        points, std::back_inserter(output),
+        np::number_of_output_points(3000).curvature_weight(0.).adaptivity(adaptivity));
+    return static_cast<double>(
+        std::count_if(output.begin(), output.end(), [](const Point& p) { return p.x() < 1.; }));
+  };
+  // within five standard deviations of drawing 3000 with the probabilities 1/2 and 2/3
+  EXPECT_NEAR(on_dense_side(1.), 1500., 5. * std::sqrt(3000. / 4.));
+  EXPECT_NEAR(on_dense_side(0.), 2000., 5. * std::sqrt(3000. * 2. / 9.));
+}
+
 TEST_P(Both_methods, count_is_exact_for_every_seed_count_and_percentage)
 {
   const std::vector<Point> points = surfaces::torus(2000, 3., 1., 1);

@@ -53,6 +53,18 @@ TEST(Surface_variation, of_a_plane_is_zero)
   EXPECT_EQ(variation_at_first(far_away, 16), 0.);
 }
 
+TEST(Surface_variation, counts_duplicates_once_and_has_no_unit)
+{
+  std::vector<Point> points = surfaces::sphere(500, 27);
+  const double expected = variation_at_first(points, 16);
+  std::vector<Point> in_other_unit;
+  for (const Point& p : points)
+    in_other_unit.emplace_back(1024. * p.x(), 1024. * p.y(), 1024. * p.z());
+  EXPECT_EQ(variation_at_first(in_other_unit, 16), expected);
+  points.insert(points.end(), 100, points[0]);
+  EXPECT_EQ(variation_at_first(points, 16), expected);
+}
+
 TEST(Surface_variation, of_a_sphere)
 {
   // spiral lattice, of equal area per point, from the pole
