@@ -74,10 +74,10 @@ inline double spread_of(const std::vector<double>& residuals)
   std::transform(residuals.begin(), residuals.end(), sizes.begin(),
                  [](double residual) { return std::abs(residual); });
   const double n = static_cast<double>(sizes.size());
-  // 1.4826: standard deviation over median of |x| for Gaussian x. The second factor is an upper
-  // bound of what the quadric takes of the residuals: with the weights of its fit, which are small
-  // for far neighbors, it is 1.03 for 19 of them, as was simulated, and not 1.16. Without it, errors
-  // are the same to 1 %.
+  // 1.4826: standard deviation over median of |x| for Gaussian x. The second factor is about what a fit
+  // without weights would take of 19 residuals or more. With its weights, which are small for far
+  // neighbors, it would be 1.03 for 19, as was simulated, and not 1.16; without the factor, errors
+  // are the same to 1 % in the mean over shapes.
   return 1.4826 * median(sizes) * std::sqrt(n / (std::max)(n - 5., 1.));
 }
 

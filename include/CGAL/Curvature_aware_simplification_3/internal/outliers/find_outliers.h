@@ -115,9 +115,7 @@ Flags find_outliers(const Searchable_points& cloud, const Shared_features& share
   if (are_more_than_a_few)
   {
     const std::vector<std::size_t> hidden = votes.less_than_half();
-    if (are_few_against(hidden.size(),
-                        number_where<ConcurrencyTag>(
-                            is_outlier.size(), [&](std::size_t i) { return is_outlier[i] != 0; })))
+    if (are_few_against(hidden.size(), number_of_flagged<ConcurrencyTag>(is_outlier)))
       votes.mark(hidden);
   }
   return is_outlier;

@@ -37,8 +37,7 @@ std::size_t leave_out_outliers(Searchable_points& cloud, Shared_features& shared
   Flags is_outlier = find_outliers<ConcurrencyTag>(cloud, shared, settings, progress.part(0., 0.8));
   shared.votes = Uninitialized_vector<std::uint32_t>();
   shared.represented = std::vector<std::uint8_t>();
-  const std::size_t number_found =
-      number_where<ConcurrencyTag>(n, [&](std::size_t i) { return is_outlier[i] != 0; });
+  const std::size_t number_found = number_of_flagged<ConcurrencyTag>(is_outlier);
   // What most points are is no outlier, and each sample needs a point to start from.
   if (number_found == 0 || n - number_found < (std::max)(number_of_samples, (n + 1) / 2))
     return number_found;

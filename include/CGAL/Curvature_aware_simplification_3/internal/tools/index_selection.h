@@ -56,6 +56,12 @@ std::vector<std::size_t> flagged_indices(const Flags& flags)
   return indices_where<ConcurrencyTag>(flags.size(), [&](std::size_t i) { return flags[i] != 0; });
 }
 
+template <typename ConcurrencyTag>
+std::size_t number_of_flagged(const Flags& flags)
+{
+  return number_where<ConcurrencyTag>(flags.size(), [&](std::size_t i) { return flags[i] != 0; });
+}
+
 template <typename ConcurrencyTag, typename T>
 std::vector<T> elements_at(const std::vector<std::size_t>& indices, const std::vector<T>& elements)
 {
